@@ -1,14 +1,16 @@
 #include "core/clean/plants.h"
 
+#include "core/base/parallel.h"
+#include "core/base/quantile.h"
 #include "core/cloud/voxels.h"
 #include "core/graph/components.h"
+#include "core/graph/disjoint_sets.h"
 #include "core/graph/geodesic.h"
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <numeric>
-#include <set>
+#include <tuple>
 
 namespace espalier {
 namespace {
@@ -107,95 +109,87 @@ std::vector<Stem> stemsAt(const std::vector<Eigen::Vector3d>& bases,
   return stems;
 }
 
-using StemPair = std::pair<std::uint32_t, std::uint32_t>; // the lower number first
-
-/// How thickly the wood of two stems meets: the most places on either side of one spot.
-std::map<StemPair, double> meetings(const NeighborhoodGraph& graph,
-                                    const std::vector<std::uint32_t>& stemOf, double longest) {
-  std::map<StemPair, std::set<Eigen::Index>> borders;
-  for (Eigen::Index place = 0; place < graph.size(); ++place)
-    for (const NeighborhoodGraph::Link& link : graph.links(place)) {
-      const std::uint32_t a = stemOf[static_cast<std::size_t>(place)];
-      const std::uint32_t b = stemOf[link.to];
-      if (a != 0 && b != 0 && a != b && static_cast<double>(link.length) <= longest)
-        borders[std::minmax(a, b)].insert(place);
+/// Stems that are not those of other plants: where wood leads from one to another that is nowhere
+/// thinner than it is itself, the thinner one is a branch that reaches the ground.
+/// @param isOwn  by stem; false for branches
+std::vector<bool> ownStems(const NeighborhoodGraph& graph, const std::vector<Stem>& stems,
+                           const std::vector<float>& thickness, const PlantsOptions& options) {
+  constexpr double mostly = 0.75; // of the places of a stem; ground may be left at its foot
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  DisjointSets wood(static_cast<std::size_t>(graph.size()));
+  std::vector<std::uint32_t> stemIn(static_cast<std::size_t>(graph.size()), none); // by set
+  std::vector<double> thick;
+  for (std::uint32_t stem = 0; stem < stems.size(); ++stem) {
+    std::vector<double> all;
+    for (const Eigen::Index place : stems[stem].places) {
+      all.push_back(static_cast<double>(thickness[static_cast<std::size_t>(place)]));
+      wood.join(static_cast<std::uint32_t>(place),
+                static_cast<std::uint32_t>(stems[stem].places.front()));
     }
-  std::map<StemPair, double> thickness;
-  for (auto& [pair, border] : borders) {
-    std::size_t most = 0;
-    while (!border.empty()) {
-      std::vector<Eigen::Index> spot = {*border.begin()};
-      border.erase(border.begin());
-      for (std::size_t next = 0; next < spot.size(); ++next)
-        for (const NeighborhoodGraph::Link& link : graph.links(spot[next]))
-          if (static_cast<double>(link.length) <= longest && border.erase(link.to) > 0)
-            spot.push_back(link.to);
-      most = std::max(most, spot.size());
-    }
-    thickness[pair] = static_cast<double>(most) / 2; // of both sides
+    stemIn[wood.find(static_cast<std::uint32_t>(stems[stem].places.front()))] = stem;
+    thick.push_back(*quantile(std::move(all), mostly));
   }
-  return thickness;
-}
-
-/// For each stem, from 1, the one whose plant it is of: those whose wood is one are joined, the
-/// surest first.
-/// @param sizes of what is of each, from 1; the larger one keeps its number
-std::vector<std::uint32_t> joinedByWood(const std::vector<Stem>& stems,
-                                        std::vector<Eigen::Index> sizes,
-                                        std::map<StemPair, double> meets, double oneWood) {
-  std::vector<double> sections = {0};
-  for (const Stem& stem : stems)
-    sections.push_back(stem.section);
-  std::vector<std::uint32_t> plantOf(stems.size() + 1);
-  std::iota(plantOf.begin(), plantOf.end(), 0U);
-  const auto shareOf = [&](const std::pair<const StemPair, double>& meeting) {
-    const double thinner = std::min(sections[meeting.first.first], sections[meeting.first.second]);
-    return thinner > 0 ? meeting.second / thinner : 0;
+  struct ThickLink {
+    float thickness;
+    std::uint32_t from, to;
   };
-  while (!meets.empty()) {
-    const auto surest = std::ranges::max_element(meets, {}, shareOf);
-    if (shareOf(*surest) < oneWood) break;
-    auto [kept, gone] = surest->first;
-    if (sizes[kept] < sizes[gone]) std::swap(kept, gone);
-    sizes[kept] += sizes[gone];
-    sections[kept] = std::max(sections[kept], sections[gone]);
-    std::ranges::replace(plantOf, gone, kept);
-    std::map<StemPair, double> joined;
-    for (const auto& [pair, thickness] : meets) {
-      const std::uint32_t a = pair.first == gone ? kept : pair.first;
-      const std::uint32_t b = pair.second == gone ? kept : pair.second;
-      if (a == b) continue;
-      double& most = joined[std::minmax(a, b)];
-      most = std::max(most, thickness);
-    }
-    meets = std::move(joined);
+  std::vector<ThickLink> links;
+  for (std::uint32_t place = 0; place < stemIn.size(); ++place)
+    for (const NeighborhoodGraph::Link& link : graph.links(place))
+      if (place < link.to && static_cast<double>(link.length) <= options.widestGap)
+        links.push_back({std::min(thickness[place], thickness[link.to]), place, link.to});
+  parallelSort(links.begin(), links.end(), [](const ThickLink& a, const ThickLink& b) {
+    return std::tie(b.thickness, a.from, a.to) < std::tie(a.thickness, b.from, b.to);
+  });
+  std::vector<bool> isOwn(stems.size(), true);
+  for (const ThickLink& link : links) {
+    const std::uint32_t a = stemIn[wood.find(link.from)];
+    const std::uint32_t b = stemIn[wood.find(link.to)];
+    if (!wood.join(link.from, link.to)) continue;
+    std::uint32_t& both = stemIn[wood.find(link.from)];
+    both = a == none ? b : a;
+    if (a == none || b == none) continue;
+    const bool isFirst = stems[a].section >= stems[b].section;
+    both = isFirst ? a : b;
+    if (static_cast<double>(link.thickness) >= options.oneWood * std::min(thick[a], thick[b]))
+      isOwn[isFirst ? b : a] = false;
   }
-  return plantOf;
+  return isOwn;
 }
 
 /// The plant of each place, by the number of its stem, from 1; 0: no path leads there, or over too
 /// wide a gap.
-std::vector<std::uint32_t> nearestStems(const Eigen::Matrix3Xf& places,
-                                        const std::vector<Stem>& stems,
+/// @param areSure  stems are as the user says
+std::vector<std::uint32_t> nearestStems(const Voxels& voxels, const Eigen::Matrix3Xf& points,
+                                        const Eigen::Matrix3Xf& places,
+                                        const std::vector<Stem>& stems, bool areSure,
                                         const PlantsOptions& options, const Progress& progress) {
+  constexpr double thinnest = 0.2; // cubes
   const NeighborhoodGraph graph =
-      joined(NeighborhoodGraph(places, options.neighbors, progress.part(0, 0.4)), places,
-             static_cast<float>(options.widestGap), progress.part(0.4, 0.6));
+      joined(NeighborhoodGraph(places, options.neighbors, progress.part(0, 0.3)), places,
+             static_cast<float>(options.widestGap), progress.part(0.3, 0.4));
+  const std::vector<float> thickness =
+      woodThickness(voxels, points, places, graph, progress.part(0.4, 0.6));
+  const std::vector<bool> isOwn =
+      areSure ? std::vector<bool>(stems.size(), true) : ownStems(graph, stems, thickness, options);
   constexpr std::uint32_t open = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> stemOf(static_cast<std::size_t>(places.cols()), open);
   std::vector<Eigen::Index> sources;
   for (std::size_t stem = 0; stem < stems.size(); ++stem)
     for (const Eigen::Index place : stems[stem].places) {
+      if (!isOwn[stem]) break;
       sources.push_back(place);
       stemOf[static_cast<std::size_t>(place)] = static_cast<std::uint32_t>(stem + 1);
     }
-  const Geodesics paths = geodesics(graph, sources, options.power, progress.part(0.6, 1));
+  const std::vector<std::uint32_t> back =
+      woodPaths(graph, places, thickness, thinnest * voxels.edge(), sources, options.costs,
+                progress.part(0.6, 1));
   std::vector<std::uint32_t> chain;
   for (std::uint32_t first = 0; first < stemOf.size(); ++first) {
     std::uint32_t at = first;
     while (stemOf[at] == open) {
       chain.push_back(at);
-      const std::uint32_t next = paths.predecessor[at];
+      const std::uint32_t next = back[at];
       const bool isCut =
           next == Geodesics::none ||
           static_cast<double>((places.col(at) - places.col(next)).norm()) > options.widestGap;
@@ -207,14 +201,6 @@ std::vector<std::uint32_t> nearestStems(const Eigen::Matrix3Xf& places,
     for (; !chain.empty(); chain.pop_back())
       stemOf[chain.back()] = stemOf[at];
   }
-  std::vector<Eigen::Index> sizes(stems.size() + 1, 0);
-  for (const std::uint32_t stem : stemOf)
-    ++sizes[stem];
-  constexpr double touching = 2.5; // cubes
-  const std::vector<std::uint32_t> plantOf = joinedByWood(
-      stems, std::move(sizes), meetings(graph, stemOf, touching * options.voxel), options.oneWood);
-  for (std::uint32_t& stem : stemOf)
-    stem = plantOf[stem];
   return stemOf;
 }
 
@@ -276,7 +262,7 @@ PlantParts plantsAmong(const Eigen::Matrix3Xf& points, const std::vector<float>&
                     : stemsAt(bases, places);
   if (stems.empty()) return {.ofPoint = std::vector<std::uint32_t>(heights.size(), 0)};
   const std::vector<std::uint32_t> stemOf =
-      nearestStems(places, stems, options, progress.part(0.3, 1));
+      nearestStems(voxels, standing, places, stems, !bases.empty(), options, progress.part(0.3, 1));
   std::vector<std::uint32_t> ofPoint(heights.size(), 0);
   for (std::size_t cube = 0; cube < voxels.count(); ++cube)
     for (const std::uint32_t member : voxels.members(cube))

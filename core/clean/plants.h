@@ -4,6 +4,7 @@
 #include "core/base/rule.h"
 #include "core/clean/ground.h"
 #include "core/clean/standing_points.h"
+#include "core/clean/wood_paths.h"
 
 #include <Eigen/Core>
 
@@ -19,9 +20,9 @@ struct PlantsOptions {
   Length widestGap = heights(0.05); // [L] parts farther off than this are of no plant
   Length voxel = spacings(2);       // [L] places that paths lead over
   int neighbors = 8;                // links per place, >= 1
-  double power = 1.5;               // a link costs its length to this, in [1, 4]
+  WoodPathCosts costs;              // of paths, thinness in [0, 10], turn in [0, 1000]
   double leastStem = 0.15;          // of the places of the thickest stem; thinner ones are twigs
-  double oneWood = 1.1;     // of the section of the thinner stem: wood that meets so thickly is one
+  double oneWood = 0.78;    // of the thickness of the thinner stem: wood so thick all along is one
   double leastShare = 0.02; // of the points of the greatest; smaller ones are none
   GroundOptions ground;     // what the slab is measured from
 };
@@ -39,10 +40,11 @@ struct PlantParts {
 /// plants.
 ///
 /// Stems are the parts of a slab above the ground that reach from its lower to its upper side,
-/// twigs that hang into it left out. From them shortest paths lead over the means of cubes of
-/// points, along the links of the nearest and over gaps. What comes from two stems and meets in one
-/// spot that is thicker than the thinner stem is one plant, as a low branch gets thicker from the
-/// ground on; crowns that touch do so in thin twigs.
+/// twigs that reach into it left out. From them the cheapest paths lead over the means of cubes of
+/// points, along the links of the nearest and over gaps: wood gets thinner outwards and goes on
+/// straight, so thin wood and turns are dear, and a branch that a twig of another plant touches
+/// stays with its own (wood_paths.h). A stem from which wood leads to a thicker one that is nowhere
+/// thinner is a branch that reaches the ground; crowns that touch do so in thin twigs.
 ///
 /// @param points  3 x N, z up, of plants alone [L]
 /// @param heights of the points above the ground [L]; those below zero are of no plant
@@ -52,7 +54,8 @@ struct PlantParts {
 /// Deterministic. Time O(N log N).
 /// Source: S. Tao et al., "Segmenting tree crowns from terrestrial and mobile LiDAR data by
 /// exploring ecological theories", ISPRS J. Photogramm. 110, 2015. Differs: distances are not
-/// divided by stem diameters, which for potted plants and rows are much the same.
+/// divided by stem diameters, which for potted plants and rows are much the same; links cost by
+/// the thickness of the wood and by turns.
 [[nodiscard]] PlantParts plantsAmong(const Eigen::Matrix3Xf& points,
                                      const std::vector<float>& heights,
                                      const std::vector<Eigen::Vector3d>& bases,

@@ -1,6 +1,7 @@
 #include "core/graph/components.h"
 
 #include "core/graph/bridge_search.h"
+#include "core/graph/disjoint_sets.h"
 
 #include <algorithm>
 #include <numeric>
@@ -9,27 +10,6 @@ namespace espalier {
 namespace {
 
 constexpr std::uint32_t unseen = std::numeric_limits<std::uint32_t>::max();
-
-/// Disjoint sets of 0 ... count - 1.
-class DisjointSets {
-public:
-  explicit DisjointSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-  std::uint32_t find(std::uint32_t of) {
-    while (parent_[of] != of)
-      of = parent_[of] = parent_[parent_[of]];
-    return of;
-  }
-  bool join(std::uint32_t a, std::uint32_t b) {
-    const auto [low, high] = std::minmax({find(a), find(b)});
-    parent_[high] = low;
-    return low != high;
-  }
-
-private:
-  std::vector<std::uint32_t> parent_;
-};
 
 } // namespace
 

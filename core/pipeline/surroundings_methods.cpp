@@ -192,10 +192,11 @@ OptionTable<PlantOptions> plantTable() {
   table.add(lengthOption("together", Shown::tr("Together"), 0, 1e6,
                          Shown::tr("Stems nearer to each other than this are of one plant.")),
             plants, &PlantsOptions::together);
-  table.add(ratioOption("one_wood", Shown::tr("One wood"), 0, 10,
-                        Shown::tr("Where wood from two stems meets at least this thickly, as a "
-                                  "share of the section of the thinner stem, both are one plant.")),
-            plants, &PlantsOptions::oneWood);
+  table.add(
+      ratioOption("one_wood", Shown::tr("One wood"), 0, 10,
+                  Shown::tr("Where wood leads from one stem to another and is nowhere thinner "
+                            "than this share of the thinner stem, both are one plant.")),
+      plants, &PlantsOptions::oneWood);
   table.add(lengthOption("widest_gap", Shown::tr("Widest gap"), 0, 1e6,
                          Shown::tr("Parts farther off than this from all plants are of none.")),
             plants, &PlantsOptions::widestGap);
@@ -203,9 +204,19 @@ OptionTable<PlantOptions> plantTable() {
                          Shown::tr("Paths lead over the means of cubes of this size.")),
             plants, &PlantsOptions::voxel);
   table.add(linksOption(), plants, &PlantsOptions::neighbors);
+  constexpr auto costs = &PlantsOptions::costs;
   table.add(ratioOption("power", Shown::tr("Power"), 1, 4,
                         Shown::tr("A link counts as its length to this: more shuns gaps.")),
-            plants, &PlantsOptions::power);
+            plants, costs, &WoodPathCosts::power);
+  table.add(
+      ratioOption("thinness", Shown::tr("Thinness"), 0, 10,
+                  Shown::tr("A link counts by how thin the wood is there to this: more keeps "
+                            "branches with their own plant where twigs of others touch them.")),
+      plants, costs, &WoodPathCosts::thinness);
+  table.add(ratioOption("turn", Shown::tr("Turn"), 0, 1000,
+                        Shown::tr("How much a link counts more where a path turns back: 0 takes "
+                                  "turns as they come.")),
+            plants, costs, &WoodPathCosts::turn);
   table.add(ratioOption("least_share", Shown::tr("Least share"), 0, 1,
                         Shown::tr("Plants with less of the points of the largest are none.")),
             plants, &PlantsOptions::leastShare);

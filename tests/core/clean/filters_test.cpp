@@ -171,20 +171,84 @@ const PlantsOptions plotOptions{.slabFrom = 0.1,
                                 .leastShare = 0.01,
                                 .ground = {.cell = 0.1, .tolerance = 0.02}};
 
+std::vector<float> heightsOf(const Eigen::Matrix3Xf& points) {
+  return {points.row(2).begin(), points.row(2).end()};
+}
+
+/// Of the points: the share that is of the plant it was made for, the first plant at x = 0.
+double shareRight(const PlantParts& parts, Eigen::Index ofFirst) {
+  const std::uint32_t first = std::abs(parts.bases[0].x()) < std::abs(parts.bases[1].x()) ? 1 : 2;
+  double right = 0;
+  for (std::size_t i = 0; i < parts.ofPoint.size(); ++i)
+    if ((parts.ofPoint[i] == first) == (static_cast<Eigen::Index>(i) < ofFirst)) ++right;
+  return right / static_cast<double>(parts.ofPoint.size());
+}
+
+/// A trunk at x, and a branch that gets thinner, to a tenth and not under 5 mm.
+Eigen::Matrix3Xf tree(double x, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                      double radius) {
+  Eigen::Matrix3Xf points = test::cylinder({x, 0, 0}, {x, 0, 1}, 0.05, 0.01);
+  constexpr int pieces = 10;
+  for (int i = 0; i < pieces; ++i)
+    points = test::both(points, test::cylinder(from + (to - from) * i / pieces,
+                                               from + (to - from) * (i + 1) / pieces,
+                                               std::max(0.005, radius * (1 - 0.1 * i)), 0.006));
+  return points;
+}
+
+PlantsOptions fine() {
+  PlantsOptions options = plotOptions;
+  options.voxel = 0.02;
+  return options;
+}
+
 TEST(Plants, AreCutWhereTheyTouch) {
-  const Eigen::Matrix3Xf fork = test::forkCloud();
-  const Eigen::Matrix3Xf points = test::both(fork, movedBy(fork, 1.75F)); // arms meet at their tips
-  std::vector<float> heights;
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-    heights.push_back(points(2, i));
-  const PlantParts parts = plantsAmong(points, heights, {}, plotOptions);
+  const Eigen::Matrix3Xf first = tree(0, {0, 0, 0.8}, {0.9, 0, 1.2}, 0.03);
+  const Eigen::Matrix3Xf second = tree(1.8, {1.8, 0, 0.8}, {0.9, 0, 1.2}, 0.03);
+  const Eigen::Matrix3Xf points = test::both(first, second); // branches meet at their tips
+  const PlantParts parts = plantsAmong(points, heightsOf(points), {}, fine());
   ASSERT_EQ(parts.sizes.size(), 2U);
-  Eigen::Index right = 0;
-  const std::uint32_t first = parts.bases[0].x() < 0.5 ? 1 : 2;
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-    if ((parts.ofPoint[static_cast<std::size_t>(i)] == first) == (i < fork.cols())) ++right;
-  EXPECT_GT(static_cast<double>(right), 0.99 * static_cast<double>(points.cols()));
+  EXPECT_GT(shareRight(parts, first.cols()), 0.99);
   EXPECT_EQ(parts.sizes[0] + parts.sizes[1], points.cols());
+}
+
+TEST(Plants, AreCutAtEqualWoodWhereTheyAreSaidToStand) {
+  const Eigen::Matrix3Xf fork = test::forkCloud(); // arms as thick as the stem
+  const Eigen::Matrix3Xf points = test::both(fork, movedBy(fork, 1.75F)); // meet at their tips
+  const PlantParts parts =
+      plantsAmong(points, heightsOf(points), {{0, 0, 0}, {1.75, 0, 0}}, plotOptions);
+  ASSERT_EQ(parts.sizes.size(), 2U);
+  EXPECT_GT(shareRight(parts, fork.cols()), 0.99);
+  EXPECT_EQ(plantsAmong(points, heightsOf(points), {}, plotOptions).sizes.size(), 1U)
+      << "an arch from the ground to the ground";
+}
+
+TEST(Plants, KeepABranchThatATwigOfAnotherTouches) {
+  const Eigen::Matrix3Xf first = tree(0, {0, 0, 0.5}, {0.5, 0, 0.96}, 0.02);
+  const Eigen::Matrix3Xf second = tree(2, {2, 0, 0.6}, {0.3, 0, 1}, 0.04);
+  const Eigen::Matrix3Xf points = test::both(first, second);
+  const PlantParts parts = plantsAmong(points, heightsOf(points), {}, fine());
+  ASSERT_EQ(parts.sizes.size(), 2U);
+  EXPECT_GT(shareRight(parts, first.cols()), 0.97);
+  PlantsOptions byLength = fine();
+  byLength.costs = {.power = 1.5, .thinness = 0, .turn = 0};
+  EXPECT_LT(shareRight(plantsAmong(points, heightsOf(points), {}, byLength), first.cols()), 0.93)
+      << "the outer half of the branch is nearer to the other stem";
+}
+
+TEST(Plants, GoOnStraightWhereTheirTwigsCross) {
+  const Eigen::Matrix3Xf first = tree(0, {0, 0, 0.5}, {1.6, 0, 0.8}, 0.02);
+  const Eigen::Matrix3Xf second = tree(2, {2, 0.1, 0.6}, {0.7, -0.1, 0.8}, 0.02);
+  const Eigen::Matrix3Xf points = test::both(first, second);
+  const PlantParts parts = plantsAmong(points, heightsOf(points), {}, fine());
+  ASSERT_EQ(parts.sizes.size(), 2U);
+  PlantsOptions anyTurn = fine();
+  anyTurn.costs.turn = 0;
+  const double right = shareRight(parts, first.cols());
+  EXPECT_GT(right, 0.95);
+  EXPECT_GT(right,
+            shareRight(plantsAmong(points, heightsOf(points), {}, anyTurn), first.cols()) + 0.01)
+      << "who is first at the crossing takes both ends";
 }
 
 TEST(Plants, ReachTheGroundWithTheirBranches) {
@@ -194,9 +258,7 @@ TEST(Plants, ReachTheGroundWithTheirBranches) {
   for (int i = 0; i < 5; ++i) // gets thinner
     points = test::both(
         points, test::cylinder(from + i * step, from + (i + 1) * step, 0.05 - 0.008 * i, 0.015));
-  std::vector<float> heights;
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-    heights.push_back(points(2, i));
+  const std::vector<float> heights = heightsOf(points);
   const PlantParts parts = plantsAmong(points, heights, {}, plotOptions);
   ASSERT_EQ(parts.sizes.size(), 1U) << "the branch is no stem";
   EXPECT_LT(parts.bases[0].head<2>().norm(), 0.05);

@@ -24,8 +24,11 @@ struct Plot {
   SimulatedPlot simulated;
   std::shared_ptr<const PointCloud> cloud;
 
-  explicit Plot(std::uint64_t seed, Eigen::Index points = 80'000) {
+  explicit Plot(std::uint64_t seed, Eigen::Index points = 80'000, int plants = 3,
+                double spacing = 1) {
     PlotOptions options;
+    options.plants = plants;
+    options.spacing = spacing;
     options.growth.segments = 150;
     options.scanner.points = points;
     simulated = simulatePlot(options, seed);
@@ -85,6 +88,19 @@ TEST(Cleaning, OfAPlotByOnePresetCutsItIntoItsPlants) {
       nearest = std::min(nearest, (base - plant.root).norm());
     EXPECT_LT(nearest, 0.3) << "at its foot";
   }
+}
+
+TEST(Cleaning, OfAPlotWhoseCrownsTouchLeavesBranchesToTheirPlants) {
+  const Plot crowded(7, 200'000, 5, 0.7);
+  const CutPlot cut = cutPlot(crowded.cloud, {}, plotPreset());
+  EXPECT_EQ(cut.plants.size(), 5U);
+  const auto [wood, rest] = sharesRight(crowded, cut);
+  EXPECT_GE(wood, 0.99);
+  EXPECT_GE(rest, 0.99);
+  PipelineOptions byLength = plotPreset();
+  byLength.set("plant.thinness=0");
+  byLength.set("plant.turn=0");
+  EXPECT_LT(sharesRight(crowded, cutPlot(crowded.cloud, {}, byLength)).first, 0.99);
 }
 
 TEST(Cleaning, KeepsThePlantAtTheRootThatWasChosen) {

@@ -128,6 +128,9 @@ void ProjectRecorder::save() {
     added.push_back(document_.step(i));
   if (added.empty() && kept == saved_.size() && position == savedPosition_) return;
   try {
+    // Once no step of the project says what the envelope is, its text does, which may be from
+    // before what is dropped was undone.
+    if (kept < saved_.size()) saveText("envelope");
     project_->record(kept, added, static_cast<std::size_t>(position), grown_);
     grown_.reset();
     saved_.resize(kept);
@@ -168,12 +171,17 @@ void ProjectRecorder::goOn() {
 }
 
 void ProjectRecorder::saveTexts() {
-  for (const auto& [name, textOf] : texts_) {
-    const std::string text = textOf();
-    if (text == savedTexts_[name]) continue;
-    project_->setDocument(name, text);
-    savedTexts_[name] = text;
-  }
+  for (const auto& each : texts_)
+    saveText(each.first);
+}
+
+void ProjectRecorder::saveText(const std::string& name) {
+  const auto found = texts_.find(name);
+  if (found == texts_.end()) return;
+  const std::string text = found->second();
+  if (text == savedTexts_[name]) return;
+  project_->setDocument(name, text);
+  savedTexts_[name] = text;
 }
 
 std::unique_ptr<Project> makeProject(const PlantDocument& document,

@@ -65,7 +65,8 @@ private:
   void setBehind(bool isBehind);
   void save();
   void saveTexts();
-  void writePiece(); // throws
+  void saveText(const std::string& name); // if it is kept
+  void writePiece();                      // throws
   void goOn();
 
   PlantDocument& document_;

@@ -77,6 +77,26 @@ TEST_F(ProjectRecorderTest, ForgetsADragThatWasCanceled) {
   EXPECT_THAT(onDisk().steps, IsEmpty());
 }
 
+TEST_F(ProjectRecorderTest, BringsNoEnvelopeBackThatAnEditDroppedJustBefore) {
+  recorder.keep("envelope", [this] { return document.envelope(); });
+  const auto reopened = [this] {
+    const Project project = Project::open(file, Access::readOnly);
+    PlantDocument other;
+    other.openHistory(project.history().value, nullptr, {});
+    other.openEnvelope(project.document("envelope"));
+    return other.envelope();
+  };
+  document.setEnvelope("Envelope", "a sphere");
+  recorder.flush();
+  EXPECT_EQ(reopened(), "a sphere");
+  document.undoStack().undo();
+  EXPECT_EQ(reopened(), "");
+  setRadius(1); // no pause since
+  EXPECT_EQ(reopened(), "");
+  document.setEnvelope("Envelope", "a cone");
+  EXPECT_EQ(reopened(), "a cone");
+}
+
 TEST_F(ProjectRecorderTest, BringsTheHistoryBackIntoAnotherDocument) {
   setRadius(1);
   setRadius(2);

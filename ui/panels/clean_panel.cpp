@@ -179,14 +179,17 @@ void CleanPanel::showMethod() {
 
 void CleanPanel::showFinding(double fraction) {
   result_->setText(tr("Looking for them… %1 %").arg(static_cast<int>(100 * fraction)));
-  setAside_->hide();
   cancel_->show();
+  passFocus(*setAside_, *cancel_);
+  setAside_->hide();
 }
 
 void CleanPanel::showSelected(const QString& text, bool mayBeSetAside) {
   result_->setText(text);
+  passFocus(*cancel_, *again_);
   cancel_->hide();
   setAside_->show();
+  if (!mayBeSetAside) passFocus(*setAside_, *chosen_);
   setAside_->setEnabled(mayBeSetAside);
 }
 

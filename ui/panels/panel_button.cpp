@@ -26,4 +26,8 @@ QToolButton* sharingButton(QAction& action, const QString& text) {
   return button;
 }
 
+void passFocus(const QWidget& from, QWidget& to) {
+  if (from.window()->focusWidget() == &from) to.setFocus(Qt::OtherFocusReason);
+}
+
 } // namespace espalier

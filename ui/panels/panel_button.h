@@ -4,6 +4,7 @@
 
 class QAction;
 class QToolButton;
+class QWidget;
 
 namespace espalier {
 
@@ -13,5 +14,9 @@ namespace espalier {
 
 /// The same, which shares the width of the panel with those beside it and never widens it.
 [[nodiscard]] QToolButton* sharingButton(QAction& action, const QString& text = {});
+
+/// What is about to be hidden or disabled hands its keys on: by itself they would go to the next
+/// part of the window, maybe in another panel, and Space would act there.
+void passFocus(const QWidget& from, QWidget& to);
 
 } // namespace espalier

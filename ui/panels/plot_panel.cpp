@@ -1,6 +1,7 @@
 #include "ui/panels/plot_panel.h"
 
 #include "ui/panels/label_role.h"
+#include "ui/panels/panel_button.h"
 
 #include <QCheckBox>
 #include <QHeaderView>
@@ -144,13 +145,20 @@ std::vector<std::size_t> PlotPanel::chosen() const {
 
 void PlotPanel::refresh() {
   const bool hasPlants = table_->rowCount() > 0;
+  if (isWorking_) {
+    cancel_->show();
+    passFocus(*find_, *cancel_);
+    passFocus(*write_, *cancel_);
+  }
   cleans_->setEnabled(isFindable_ && !isWorking_);
   find_->setEnabled(isFindable_ && !isWorking_);
   table_->setVisible(hasPlants);
   table_->setEnabled(!isWorking_);
   write_->setVisible(hasPlants && !isWorking_);
   write_->setEnabled(!chosen().empty());
-  cancel_->setVisible(isWorking_);
+  if (isWorking_) return;
+  passFocus(*cancel_, *find_);
+  cancel_->hide();
 }
 
 } // namespace espalier

@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyleOptionButton>
 #include <QTest>
 #include <QTextStream>
 
@@ -65,6 +66,20 @@ TEST_F(CleaningTest, IsNotCutOffInASmallWindow) {
   };
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return std::ranges::none_of(page.findChildren<QWidget*>(), isCutOff); }, patience));
+  const auto& button = find<QPushButton>("clean_set_aside");
+  QStyleOptionButton option;
+  option.initFrom(&button);
+  const int room =
+      button.style()->subElementRect(QStyle::SE_PushButtonContents, &option, &button).width();
+  EXPECT_LE(button.fontMetrics().horizontalAdvance(button.text()), room);
+}
+
+TEST_F(CleaningTest, KeepsTheKeysInThePanel) {
+  findIsolated();
+  auto& button = find<QPushButton>("clean_set_aside");
+  button.setFocus();
+  button.click();
+  EXPECT_EQ(window().focusWidget(), &find<QWidget>("clean_method")) << "where the next is chosen";
 }
 
 TEST_F(CleaningTest, FollowsItsOptions) {

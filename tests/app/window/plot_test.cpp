@@ -110,9 +110,12 @@ TEST_F(PlotTest, ReplacesNoFile) {
 }
 
 TEST_F(PlotTest, CanBeCanceled) {
+  find<QPushButton>("plot_find").setFocus();
   clickButton("plot_find");
+  EXPECT_EQ(window().focusWidget(), &find<QWidget>("plot_cancel"));
   clickButton("plot_cancel");
   waitUntilDone();
+  EXPECT_EQ(window().focusWidget(), &find<QWidget>("plot_find"));
   EXPECT_EQ(table().rowCount(), 0);
   EXPECT_TRUE(find<QPushButton>("plot_find").isEnabled());
 }

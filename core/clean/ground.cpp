@@ -274,6 +274,7 @@ private:
 GroundOptions resolved(GroundOptions options, const PlantScale& scale) {
   options.cell = lengthAt(options.cell, scale);
   options.tolerance = lengthAt(options.tolerance, scale);
+  options.noise = lengthAt(options.noise, scale);
   return options;
 }
 

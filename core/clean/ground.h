@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <vector>
 
 namespace espalier {
@@ -13,9 +14,12 @@ namespace espalier {
 struct GroundOptions {
   Length cell = heights(0.02);       // [L] of the cloth
   Length tolerance = heights(0.008); // [L] points not higher than this above it are of the ground
+  Length noise = scatters(6);        // [L] nor are those this high where the scan scatters wide
   int rigidness = 2;                 // how often each step stiffens the cloth, in [1, 10]
   int iterations = 500;              // at most, >= 1
   bool followSlopes = true;          // pulls the cloth down to what lies near on steep ground
+
+  [[nodiscard]] double width() const { return std::max<double>(tolerance, noise); } // [L]
 };
 
 [[nodiscard]] GroundOptions resolved(GroundOptions options, const PlantScale& scale);

@@ -275,7 +275,7 @@ PlantParts plantsAbove(const GroundSurface& ground, const Eigen::Matrix3Xf& poin
                        const Progress& progress) {
   std::vector<float> heights = heightsAbove(ground, points);
   for (float& height : heights)
-    if (static_cast<double>(height) <= options.ground.tolerance) height = -1;
+    if (static_cast<double>(height) <= options.ground.width()) height = -1;
   return plantsAmong(points, heights, bases, options, progress);
 }
 

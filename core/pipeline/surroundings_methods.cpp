@@ -11,6 +11,11 @@
 namespace espalier {
 namespace {
 
+Option noiseOption() {
+  return lengthOption("noise", Shown::tr("Noise"), 0, 1000,
+                      Shown::tr("Points this near are of it, too, where the scan scatters wide."));
+}
+
 template <class Options, class... Path>
 void addClothOptions(OptionTable<Options>& table, Path... path) {
   table.add(lengthOption("cell", Shown::tr("Cell"), 1, 100000,
@@ -20,6 +25,7 @@ void addClothOptions(OptionTable<Options>& table, Path... path) {
   table.add(lengthOption("tolerance", Shown::tr("Tolerance"), 0, 100000,
                          Shown::tr("Points up to this above the cloth are of the ground.")),
             path..., &GroundOptions::tolerance);
+  table.add(noiseOption(), path..., &GroundOptions::noise);
   table.add(countOption("rigidness", Shown::tr("Rigidness"), 1, 10,
                         Shown::tr("1 follows steep ground, 3 spans wide gaps below crowns.")),
             path..., &GroundOptions::rigidness);
@@ -50,7 +56,7 @@ Method groundMethod() {
             const std::vector<float> heights = heightsAbove(
                 groundBelow(standing.positions, options, progress), standing.positions);
             for (std::size_t i = 0; i < heights.size(); ++i)
-              if (static_cast<double>(heights[i]) <= options.tolerance)
+              if (static_cast<double>(heights[i]) <= options.width())
                 state.isLeftOut[static_cast<std::size_t>(standing.columns[i])] = true;
           }};
 }
@@ -75,11 +81,6 @@ void leaveOutAll(PipelineState& state, const StandingPoints& standing,
           true;
   state.notes.push_back(std::to_string(found.size()) + " " + (found.size() == 1 ? one : many) +
                         " left out");
-}
-
-Option noiseOption() {
-  return lengthOption("noise", Shown::tr("Noise"), 0, 1000,
-                      Shown::tr("Points this near are of it, too, where the scan scatters wide."));
 }
 
 Method poleMethod() {

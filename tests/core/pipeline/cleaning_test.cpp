@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <gmock/gmock.h>
+#include <optional>
 
 namespace espalier {
 namespace {
@@ -25,10 +26,11 @@ struct Plot {
   std::shared_ptr<const PointCloud> cloud;
 
   explicit Plot(std::uint64_t seed, Eigen::Index points = 80'000, int plants = 3,
-                double spacing = 1) {
+                double spacing = 1, std::optional<double> noise = {}) {
     PlotOptions options;
     options.plants = plants;
     options.spacing = spacing;
+    options.scanner.rangeNoise = noise;
     options.growth.segments = 150;
     options.scanner.points = points;
     simulated = simulatePlot(options, seed);
@@ -101,6 +103,20 @@ TEST(Cleaning, OfAPlotWhoseCrownsTouchLeavesBranchesToTheirPlants) {
   byLength.set("plant.thinness=0");
   byLength.set("plant.turn=0");
   EXPECT_LT(sharesRight(crowded, cutPlot(crowded.cloud, {}, byLength)).first, 0.99);
+}
+
+TEST(Cleaning, OfAPlotThatScattersWideLeavesOutItsGround) {
+  const Plot noisy(7, 200'000, 3, 1, 0.02);
+  const CutPlot cut = cutPlot(noisy.cloud, {}, plotPreset());
+  EXPECT_EQ(cut.plants.size(), 3U);
+  const auto [wood, rest] = sharesRight(noisy, cut);
+  EXPECT_GE(wood, 0.98);
+  EXPECT_GE(rest, 0.99);
+  PipelineOptions asIfExact = plotPreset();
+  asIfExact.set("ground.noise=0");
+  asIfExact.set("plant.noise=0");
+  EXPECT_LT(sharesRight(noisy, cutPlot(noisy.cloud, {}, asIfExact)).second, 0.96)
+      << "the cloth lies on the lowest points";
 }
 
 TEST(Cleaning, KeepsThePlantAtTheRootThatWasChosen) {

@@ -126,28 +126,33 @@ bool isBareWall(const Pole& pole, const Eigen::Matrix3Xf& points, const PoleOpti
   return static_cast<double>(bare) >= wanted * static_cast<double>(slices);
 }
 
-/// Nothing goes on beyond an end: what is there ends soon, as does a wire that is fixed to it.
+/// Nothing goes on beyond an end: what is there ends soon, as does a wire that is fixed to it, or
+/// is so little that it is twigs beside it.
 bool endsFree(const Eigen::Vector3d& end, const Eigen::Vector3d& away, const Pole& pole,
               const Eigen::Matrix3Xf& points, const PoleOptions& options) {
   constexpr double beyond = 0.2;  // of its length
   constexpr double allowed = 0.4; // of that
   constexpr double opening = 0.5; // branches of a fork go on within such a cone
+  constexpr double least = 0.15;  // of the points of the pole in a slice
   const double length = beyond * (pole.top - pole.foot).norm();
   const double wide = 2 * pole.radius + 4 * options.width();
   const double slice = 2 * options.width();
-  std::vector<char> isHeld(static_cast<std::size_t>(std::ceil(length / slice)) + 1, 0);
+  const double few =
+      least * slice * static_cast<double>(pole.points.size()) / (pole.top - pole.foot).norm();
+  std::vector<std::size_t> held(static_cast<std::size_t>(std::ceil(length / slice)) + 1, 0);
   const double most = std::hypot(length, wide + opening * length);
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const Eigen::Vector3d d = points.col(i).cast<double>() - end;
     if (d.squaredNorm() > most * most) continue;
     const double t = d.dot(away);
     if (t > slice && t <= length && (d - t * away).norm() <= wide + opening * t)
-      isHeld[static_cast<std::size_t>(t / slice)] = 1;
+      ++held[static_cast<std::size_t>(t / slice)];
   }
+  const auto isHeld = [&](std::size_t at) { return static_cast<double>(held[at]) > few; };
   std::size_t last = 1; // slice that holds points, with no two empty ones before it
-  while (last + 2 < isHeld.size() && (isHeld[last + 1] || isHeld[last + 2]))
-    last += isHeld[last + 1] ? 1 : 2;
-  return static_cast<double>(last) < allowed * static_cast<double>(isHeld.size());
+  while (last + 2 < held.size() && (isHeld(last + 1) || isHeld(last + 2)))
+    last += isHeld(last + 1) ? 1 : 2;
+  return static_cast<double>(last) < allowed * static_cast<double>(held.size());
 }
 
 bool endsFree(const Pole& pole, const Eigen::Matrix3Xf& points, const PoleOptions& options) {

@@ -65,6 +65,17 @@ TEST(Pole, IsSearchedForAndATrunkIsNone) {
   EXPECT_TRUE(polesIn(Eigen::Matrix3Xf(3, 0), poleOptions).empty());
 }
 
+TEST(Pole, EndsFreeBelowATwig) {
+  const Eigen::Vector3d up = (poleTop - poleFoot).normalized();
+  const Eigen::Vector3d aside(0.2, 0, 0);
+  for (const double radius : {0.004, 0.05}) { // a twig beside, or what goes on as thick
+    const Eigen::Matrix3Xf above =
+        test::cylinder(poleTop + 0.08 * up + aside, poleTop + 0.5 * up + aside, radius, 0.015);
+    const std::size_t wanted = radius < 0.01 ? 1 : 0;
+    EXPECT_EQ(polesIn(test::both(poleAndPlant(), above), poleOptions).size(), wanted) << radius;
+  }
+}
+
 TEST(Pole, IsTheSameInAnotherUnit) {
   PoleOptions inMillimeters = poleOptions;
   for (Length PoleOptions::*length :

@@ -5,6 +5,7 @@
 #include "core/graph/find_root.h"
 #include "core/graph/geodesic.h"
 #include "core/reconstruct/centered_line.h"
+#include "core/reconstruct/leave_wood.h"
 
 #include <queue>
 
@@ -20,7 +21,8 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr std::uint32_t noPoint = std::numeric_limits<std::uint32_t>::max();
-constexpr int neighbors = 12; // as the default reconstruction links them
+constexpr float widestLink = 4; // in spacings: one of this length costs twice its length
+constexpr int neighbors = 12;   // as the default reconstruction links them
 
 struct Reached {
   float cost;
@@ -48,6 +50,52 @@ bool isOtherPath(const Trace& trace, const std::vector<Trace>& others, double ap
         }))
       ++away;
   return away > 1 && 5 * away >= trace.places.size();
+}
+
+/// Places of a stroke without those that were picked on other wood, before it or far behind it: of
+/// all choices that begin at the first, the one that leaves out fewest and jumps least. Time O(n)
+/// for n places.
+std::vector<Eigen::Vector3d> withoutAside(const std::vector<Eigen::Vector3d>& places,
+                                          double spacing) {
+  constexpr std::size_t mostLeftOut = 30; // in a row
+  constexpr double ofUsual = 3;           // so many usual steps are no jump
+  constexpr double ofLeftOut = 1;         // cost of each, and of a jump by so many spacings:
+  constexpr double ofJump = 4;
+  if (places.size() < 3 || spacing == 0) return places;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < places.size(); ++i)
+    steps.push_back((places[i] - places[i - 1]).norm());
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::ranges::nth_element(steps, middle);
+  const double usual = std::max(*middle, spacing);
+  std::vector<double> costs(places.size(), std::numeric_limits<double>::infinity());
+  std::vector<std::size_t> before(places.size(), 0);
+  costs[0] = 0;
+  for (std::size_t i = 1; i < places.size(); ++i)
+    for (std::size_t k = i - std::min(i, mostLeftOut + 1); k < i; ++k) {
+      const auto many = static_cast<double>(i - k);
+      const double jump = (places[i] - places[k]).norm() - ofUsual * usual * many;
+      const double cost =
+          costs[k] + ofLeftOut * (many - 1) + std::max(0.0, jump) / (ofJump * spacing);
+      if (cost >= costs[i]) continue;
+      costs[i] = cost;
+      before[i] = k;
+    }
+  std::size_t last = places.size() - 1;
+  for (std::size_t i = 1; i < places.size(); ++i)
+    if (costs[i] + ofLeftOut * static_cast<double>(places.size() - 1 - i) <
+        costs[last] + ofLeftOut * static_cast<double>(places.size() - 1 - last))
+      last = i;
+  std::vector<Eigen::Vector3d> kept;
+  for (std::size_t i = last; i > 0; i = before[i])
+    kept.push_back(places[i]);
+  kept.push_back(places[0]);
+  std::ranges::reverse(kept);
+  return kept;
+}
+
+bool isIn(const EdgeIndex& wood, const Eigen::Vector3d& place) {
+  return wood.distanceToSurface(place, [](NodeId) { return true; }) == 0;
 }
 
 /// Leads a line on as far as the point it ends at: contraction draws the ends of wood in.
@@ -107,8 +155,10 @@ std::vector<Trace> TraceGraph::between(const TraceEnd& from, const TraceEnd& to,
   std::vector<bool> isExpensive(static_cast<std::size_t>(cloud_->size()), false);
   std::vector<Trace> traces;
   for (int tried = 0; tried <= options.alternatives; ++tried) {
-    const PointPath path = pointPath(first, last, isExpensive, progress);
-    Trace trace = traceOf(path.points, from, to, options.step);
+    PointPath path = pointPath(first, last, isExpensive, progress);
+    if (from.isFixed && widestLeap(path.points) > widestLink * spacing_) // from the start as well
+      path = pointPath(first, last, isExpensive, progress, from.place);
+    Trace trace = traceFromWood(path.points, from, to, options);
     const bool isFirst = traces.empty();
     if (!isFirst && trace.length() > 3 * traces.front().length()) break;
     if (isFirst || isOtherPath(trace, traces, std::max(options.step, 4 * spacing_)))
@@ -123,17 +173,31 @@ Trace TraceGraph::through(const std::vector<Eigen::Vector3d>& places, bool start
                           const TraceOptions& options, const Progress& progress) const {
   assert(places.size() > 1 && options.step > 0);
   std::vector<std::uint32_t> points;
-  for (const Eigen::Vector3d& place : spacedEvenly(places, options.step / 2)) {
+  const double apart = std::max(options.step / 2, spacing_);
+  for (const Eigen::Vector3d& place : spacedEvenly(withoutAside(places, spacing_), apart)) {
     progress.check();
     points.push_back(static_cast<std::uint32_t>(nearestPoint(cloud_->positions(), local(place))));
   }
-  return traceOf(points, {places.front(), startIsFixed}, {places.back(), false}, options.step);
+  return traceFromWood(points, {places.front(), startIsFixed}, {places.back(), false}, options);
 }
 
 Eigen::Vector3d TraceGraph::farthestFrom(const Eigen::Vector3d& place) const {
   const std::vector<float> distances =
       geodesics(graph_, {static_cast<Eigen::Index>(pointAt({place, false}))}).distance;
   return cloud_->position(std::ranges::max_element(distances) - distances.begin());
+}
+
+std::optional<Eigen::Vector3d> TraceGraph::farthestFrom(const EdgeIndex& wood, double about,
+                                                        double least) const {
+  std::vector<Eigen::Index> near;
+  for (Eigen::Index i = 0; i < cloud_->size(); ++i)
+    if (wood.distanceToSurface(cloud_->position(i), [](NodeId) { return true; }) <= about)
+      near.push_back(i);
+  if (near.empty()) return std::nullopt;
+  const std::vector<float> distances = geodesics(graph_, near).distance;
+  const auto farthest = std::ranges::max_element(distances);
+  if (static_cast<double>(*farthest) < least) return std::nullopt;
+  return cloud_->position(farthest - distances.begin());
 }
 
 Eigen::Vector3f TraceGraph::local(const Eigen::Vector3d& place) const {
@@ -148,9 +212,9 @@ std::uint32_t TraceGraph::pointAt(const TraceEnd& end) const {
 
 TraceGraph::PointPath TraceGraph::pointPath(std::uint32_t from, std::uint32_t to,
                                             const std::vector<bool>& isExpensive,
-                                            const Progress& progress) const {
-  constexpr float widestLink = 4; // in spacings: one of this length costs twice its length
-  constexpr float bark = 0.1F;    // share of the path over the bark that counts
+                                            const Progress& progress,
+                                            const std::optional<Eigen::Vector3d>& leap) const {
+  constexpr float bark = 0.1F; // share of the path over the bark that counts
   constexpr float expense = 6;
   const Eigen::Matrix3Xf& places = *contracted_;
   const auto spacing = static_cast<float>(spacing_ > 0 ? spacing_ : 1);
@@ -158,9 +222,9 @@ TraceGraph::PointPath TraceGraph::pointPath(std::uint32_t from, std::uint32_t to
   std::vector<float> costs(count, infinite);
   std::vector<std::uint32_t> before(count, noPoint);
   const auto costOf = [&](std::uint32_t point, const NeighborhoodGraph::Link& link) {
-    const float leap = link.length / (widestLink * spacing);
+    const float far = link.length / (widestLink * spacing);
     const float cost =
-        ((places.col(point) - places.col(link.to)).norm() + bark * link.length) * (1 + leap * leap);
+        ((places.col(point) - places.col(link.to)).norm() + bark * link.length) * (1 + far * far);
     return isExpensive[point] && isExpensive[link.to] ? expense * cost : cost;
   };
   // No path is shorter than the straight one: the search goes towards the end (A*).
@@ -170,6 +234,17 @@ TraceGraph::PointPath TraceGraph::pointPath(std::uint32_t from, std::uint32_t to
   Queue queue;
   costs[from] = 0;
   queue.push({left(from), from});
+  if (leap) { // somebody said that it leads on from there: half of what others cost
+    const Eigen::Vector3f place = local(*leap);
+    for (std::uint32_t point = 0; point < count; ++point) {
+      const float length = (cloud_->positions().col(point) - place).norm();
+      const float far = length / (widestLink * spacing);
+      if (point == from) continue;
+      costs[point] = length * (1 + far * far) / 2;
+      before[point] = from;
+      queue.push({costs[point] + left(point), point});
+    }
+  }
   std::vector<bool> isSettled(count, false);
   for (std::size_t settled = 0; !queue.empty() && !isSettled[to];) {
     const std::uint32_t point = queue.top().point;
@@ -190,6 +265,14 @@ TraceGraph::PointPath TraceGraph::pointPath(std::uint32_t from, std::uint32_t to
     path.points.push_back(point);
   std::ranges::reverse(path.points);
   return path;
+}
+
+double TraceGraph::widestLeap(const std::vector<std::uint32_t>& points) const {
+  double widest = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    widest =
+        std::max(widest, (cloud_->position(points[i]) - cloud_->position(points[i - 1])).norm());
+  return widest;
 }
 
 std::vector<std::uint32_t> TraceGraph::woodAlong(const std::vector<std::uint32_t>& points,
@@ -223,7 +306,6 @@ std::vector<Eigen::Vector3d> TraceGraph::slabAround(std::uint32_t seed,
                                                     const Eigen::Vector3d& place,
                                                     const Eigen::Vector3d& axis,
                                                     double step) const {
-  constexpr float widestLink = 4; // in spacings: what is linked by more is other wood
   const double widest = std::max(3 * step, 8 * spacing_); // off the place
   std::vector<std::uint32_t> met = {seed};
   std::unordered_set<std::uint32_t> isMet = {seed};
@@ -241,8 +323,41 @@ std::vector<Eigen::Vector3d> TraceGraph::slabAround(std::uint32_t seed,
   return slab;
 }
 
+Trace TraceGraph::traceFromWood(std::vector<std::uint32_t> points, const TraceEnd& from,
+                                const TraceEnd& to, const TraceOptions& options) const {
+  if (!options.wood || options.wood->edges().empty() || spacing_ == 0 || !from.isFixed)
+    return traceOf(points, from, to, options.step);
+  std::vector<Eigen::Vector3d> places = {from.place};
+  for (const std::uint32_t point : points)
+    places.push_back(cloud_->position(point));
+  const NearestPlace start = *options.wood->nearest(from.place);
+  const std::optional<Leaving> leaving = leavingWood(places, *options.wood, spacing_);
+  if (!leaving) {
+    Trace trace = traceOf(points, from, to, options.step);
+    trace.begin = {start.node, start.share};
+    return trace;
+  }
+  // Beside thick wood, points contract into that.
+  std::size_t first = leaving->first - 1;
+  const auto isDrawnIn = [&](std::uint32_t point) {
+    const Eigen::Vector3d place = contracted_->col(point).cast<double>() + cloud_->origin();
+    return options.wood->distanceToSurface(place, [](NodeId) { return true; }) <= spacing_;
+  };
+  while (first + 2 < points.size() && isDrawnIn(points[first]))
+    ++first;
+  points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(first));
+  Trace trace = traceOf(points, {leaving->place, true}, to, options.step, options.wood.get());
+  std::size_t inside = 1; // the edge from the middle of the wood needs no place in that
+  while (inside + 1 < trace.places.size() && isIn(*options.wood, trace.places[inside]))
+    ++inside;
+  trace.places.erase(trace.places.begin() + 1, trace.places.begin() + std::ptrdiff_t(inside));
+  trace.radii.erase(trace.radii.begin() + 1, trace.radii.begin() + std::ptrdiff_t(inside));
+  trace.begin = leaving->begin;
+  return trace;
+}
+
 Trace TraceGraph::traceOf(const std::vector<std::uint32_t>& points, const TraceEnd& from,
-                          const TraceEnd& to, double step) const {
+                          const TraceEnd& to, double step, const EdgeIndex* wood) const {
   std::vector<Eigen::Vector3d> line;
   line.reserve(points.size());
   for (const std::uint32_t point : points)
@@ -257,16 +372,17 @@ Trace TraceGraph::traceOf(const std::vector<std::uint32_t>& points, const TraceE
   if (line.size() == 1) line.push_back(line.front());
   if (from.isFixed) line.front() = from.place;
   if (to.isFixed) line.back() = to.place;
-  constexpr int smoothings =
-      8; // of places a quarter of a step apart: no zigzag from point to point
-  line = smoothedLine(spacedEvenly(line, step / 4), 0.5, smoothings);
+  constexpr int smoothings = 5; // of places 1.5 spacings apart: no zigzag from point to point
+  const double fine = spacing_ > 0 ? 1.5 * spacing_ : step / 4;
+  line = smoothedLine(spacedEvenly(line, fine), 0.5, smoothings);
   if (!to.isFixed) leadOnTo(cloud_->position(points.back()), line);
   if (!from.isFixed) {
     std::ranges::reverse(line);
     leadOnTo(cloud_->position(points.front()), line);
     std::ranges::reverse(line);
   }
-  line = spacedEvenly(line, step);
+  line = spacedEvenly(line, 2 * fine);
+  const double slab = std::clamp(step, 3 * fine, 6 * fine); // how thick wood is cut
   std::vector<double> radii(line.size(), 0);
   for (int round = 0; round < 2; ++round) { // the second cuts across the better axis
     const std::vector<Eigen::Vector3d> before = line;
@@ -274,15 +390,75 @@ Trace TraceGraph::traceOf(const std::vector<std::uint32_t>& points, const TraceE
       const auto axis = directionAt(before, i);
       if (!axis) continue;
       const auto section =
-          sectionAt(before[i], *axis, slabAround(seedAt(before[i]), before[i], *axis, step));
-      if (!section) continue;
+          sectionAt(before[i], *axis, slabAround(seedAt(before[i]), before[i], *axis, slab));
+      if (!section || (wood != nullptr && isIn(*wood, section->middle))) continue;
       radii[i] = section->radius;
       const bool isFixed = (i == 0 && from.isFixed) || (i + 1 == line.size() && to.isFixed);
       if (!isFixed) line[i] = section->middle;
     }
-    line = smoothedLine(line, 0.2, 1);
+    line = smoothedLine(line, 0.5, 2);
   }
-  return onThePoints({line, radii}, from, to);
+  return onThePoints(spaced({line, radii}, step), from, to);
+}
+
+/// Places of a fine trace as they become nodes: evenly spaced, and more where the edges between
+/// them would leave the middle of the wood.
+Trace TraceGraph::spaced(const Trace& fine, double step) const {
+  constexpr double shortest = 3; // spacings: shorter edges follow the noise of the points
+  const std::vector<double> wood = filled(fine.radii);
+  const double even = std::max(step, shortest * spacing_);
+  const std::size_t last = fine.places.size() - 1;
+  const double length = fine.length();
+  const auto count = std::max(1.0, std::round(length / even));
+  std::vector<std::size_t> kept = {0};
+  double passed = 0;
+  double wanted = length / count;
+  for (std::size_t i = 1; i < last; ++i) {
+    const double piece = (fine.places[i] - fine.places[i - 1]).norm();
+    const double next = (fine.places[i + 1] - fine.places[i]).norm();
+    passed += piece;
+    if (std::abs(passed - wanted) > std::abs(passed + next - wanted) || passed + next / 2 < wanted)
+      continue;
+    if (length - passed < even / 2) break;
+    kept.push_back(i);
+    wanted += length / count;
+  }
+  kept.push_back(last);
+  for (std::size_t at = 1; at < kept.size();) { // as R. Douglas and T. Peucker, 1973
+    const std::array<Eigen::Vector3d, 2> edge = {fine.places[kept[at - 1]], fine.places[kept[at]]};
+    std::size_t farthest = 0;
+    double excess = 0;
+    for (std::size_t i = kept[at - 1] + 1; i < kept[at]; ++i) {
+      const double most = std::max(wood[i] / 4, 0.6 * spacing_);
+      const double off = distanceToLine(fine.places[i], {edge[0], edge[1]}) - most;
+      const bool isApart = (fine.places[i] - edge[0]).norm() >= shortest * spacing_ &&
+                           (fine.places[i] - edge[1]).norm() >= shortest * spacing_;
+      if (off <= excess || !isApart) continue;
+      excess = off;
+      farthest = i;
+    }
+    if (excess > 0)
+      kept.insert(kept.begin() + static_cast<std::ptrdiff_t>(at), farthest);
+    else
+      ++at;
+  }
+  for (std::size_t at = 1; kept.size() > 2 && at + 1 < kept.size();) { // wood does not fold back
+    const Eigen::Vector3d below = fine.places[kept[at]] - fine.places[kept[at - 1]];
+    const Eigen::Vector3d above = fine.places[kept[at + 1]] - fine.places[kept[at]];
+    constexpr double least = -0.17; // cosine of 100 degrees
+    if (below.dot(above) >= least * below.norm() * above.norm()) {
+      ++at;
+      continue;
+    }
+    kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(at));
+    at = std::max<std::size_t>(1, at - 1);
+  }
+  Trace trace;
+  for (const std::size_t i : kept) {
+    trace.places.push_back(fine.places[i]);
+    trace.radii.push_back(wood[i]);
+  }
+  return trace;
 }
 
 double TraceGraph::toPoints(const Eigen::Vector3d& place) const {

@@ -4,6 +4,7 @@
 #include "core/base/spatial_index.h"
 #include "core/cloud/point_cloud.h"
 #include "core/graph/neighborhood_graph.h"
+#include "core/skeleton/edge_index.h"
 
 #include <Eigen/Core>
 
@@ -20,19 +21,30 @@ struct TraceEnd {
   bool isFixed = false;  // the trace ends exactly there; else in the middle of the wood there
 };
 
+/// What bears a trace: the edge below a node of the plant.
+struct TraceBegin {
+  NodeId on;           // the upper end of the edge
+  double fraction = 1; // of the edge, from its parent on; 1: at the node itself
+};
+
 /// A path along the wood, with an entry per node to be made.
 struct Trace {
   std::vector<Eigen::Vector3d> places; // from end to end [L], frame of the file; two or more
   /// Of the wood at each place [L]; even between places where it is known, 0 before and behind
   /// them.
   std::vector<double> radii;
+  /// Where its first place is on the plant, if it was asked to begin there.
+  std::optional<TraceBegin> begin = {};
 
   [[nodiscard]] double length() const; // along the places [L]
 };
 
 struct TraceOptions {
-  double step = 0;      // [L] between places, > 0; they are spaced evenly, as near to it as may be
+  double step = 0;      // [L] between places, > 0; at least 3 point spacings, and less in bends
   int alternatives = 2; // how many other paths are looked for, >= 0
+  /// The plant: what starts at a fixed end on its wood begins where the points leave that wood, and
+  /// where they do not, at that end. Null: at that end.
+  std::shared_ptr<const EdgeIndex> wood = {};
 };
 
 /// What all traces through one scan share: made once, then asked again and again, by any threads.
@@ -42,6 +54,8 @@ struct TraceOptions {
 /// is the length of the axis that counts and not how the path winds over the bark; a leap over a
 /// gap costs more the wider it is.
 ///
+/// Places of a trace are spaced evenly, and closer where the line between them would leave the
+/// middle of the wood by more than a quarter of its radius or 0.6 spacings, whichever is more.
 /// Places of a trace lie within 1.5 spacings of the points beside the wood, or amid thick wood; so
 /// none is in a gap. Ends that are fixed are where they are.
 class TraceGraph {
@@ -78,21 +92,31 @@ public:
   /// Time O(N log N).
   [[nodiscard]] Eigen::Vector3d farthestFrom(const Eigen::Vector3d& place) const;
 
+  /// The same from all points that are at most `about` [L] off some wood; none if that path is
+  /// shorter than `least` [L], or no point is so near.
+  [[nodiscard]] std::optional<Eigen::Vector3d> farthestFrom(const EdgeIndex& wood, double about,
+                                                            double least) const;
+
 private:
   struct PointPath;
   [[nodiscard]] Eigen::Vector3f local(const Eigen::Vector3d& place) const;
   [[nodiscard]] std::uint32_t pointAt(const TraceEnd& end) const;
   [[nodiscard]] PointPath pointPath(std::uint32_t from, std::uint32_t to,
-                                    const std::vector<bool>& isExpensive,
-                                    const Progress& progress) const;
+                                    const std::vector<bool>& isExpensive, const Progress& progress,
+                                    const std::optional<Eigen::Vector3d>& leap = {}) const;
+  [[nodiscard]] double widestLeap(const std::vector<std::uint32_t>& points) const; // [L]
   [[nodiscard]] std::vector<std::uint32_t> woodAlong(const std::vector<std::uint32_t>& points,
                                                      float reach) const;
   [[nodiscard]] std::vector<Eigen::Vector3d> slabAround(std::uint32_t seed,
                                                         const Eigen::Vector3d& place,
                                                         const Eigen::Vector3d& axis,
                                                         double step) const;
+  /// @param wood  that it has left; null: none
   [[nodiscard]] Trace traceOf(const std::vector<std::uint32_t>& points, const TraceEnd& from,
-                              const TraceEnd& to, double step) const;
+                              const TraceEnd& to, double step, const EdgeIndex* wood = {}) const;
+  [[nodiscard]] Trace traceFromWood(std::vector<std::uint32_t> points, const TraceEnd& from,
+                                    const TraceEnd& to, const TraceOptions& options) const;
+  [[nodiscard]] Trace spaced(const Trace& fine, double step) const;
   [[nodiscard]] double toPoints(const Eigen::Vector3d& place) const; // [L], to the nearest
   [[nodiscard]] std::optional<Eigen::Vector3d> onPoints(const Eigen::Vector3d& place,
                                                         double radius) const;

@@ -7,6 +7,7 @@
 //
 //   --twigs N     of a plant at most, 10 by default
 //   --save DIR    what was made, as DIR/PLANT.ply and DIR/PLANT_TOOL.mtg, to be looked at
+//   --tool NAME   only that: trace, stroke, regrow, points or missing
 //   --list        each twig that falls short
 //
 // Trace begins on the bearer 4 spacings off the place where the twig leaves it, as a click does,
@@ -20,7 +21,7 @@
 #include "core/io/formats.h"
 #include "core/pipeline/grow_branches.h"
 #include "core/pipeline/regrow.h"
-#include "core/reconstruct/trace.h"
+#include "core/reconstruct/leave_wood.h"
 #include "core/skeleton/axes.h"
 #include "core/skeleton/branch_edits.h"
 #include "core/skeleton/edits.h"
@@ -41,6 +42,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace espalier {
@@ -57,6 +59,7 @@ struct Arguments {
   std::vector<std::string> names;
   std::size_t twigs = 10;
   std::string folder;
+  std::string tool; // empty: all
   bool isListed = false;
 };
 
@@ -78,39 +81,53 @@ NearestPlace nearestOn(const Skeleton& skeleton, const Vector3d& place) {
   return *EdgeIndex(skeleton).nearest(place);
 }
 
-/// Adds a line as the tools do that trace it: its first place is one of an edge.
-void addLine(Made& made, const NearestPlace& on, const Trace& trace) {
+/// Adds a branch as the tools do that trace it.
+void addLine(Made& made, const Trace& trace) {
   SkeletonEditor editor(made.plant);
-  NodeId parent = on.node;
-  if (made.plant[on.node].parent && on.share < 1)
-    parent = on.share > 0 ? splitEdge(editor, on.node, on.share) : *made.plant[on.node].parent;
-  const std::size_t before = made.plant.idEnd();
-  addBranch(editor, parent, {trace.places.begin() + 1, trace.places.end()},
-            {trace.radii.begin() + 1, trace.radii.end()});
+  NodeId at = addTrace(editor, trace);
   (void)editor.commit();
-  for (std::size_t i = before; i < made.plant.idEnd(); ++i)
-    made.added.push_back(NodeId{static_cast<std::uint32_t>(i)});
+  for (std::size_t i = 1; i < trace.places.size(); ++i, at = *made.plant[at].parent)
+    made.added.push_back(at);
 }
 
-/// The chains that a hand makes of a twig one after another: each begins with the node that bears
-/// it, and ends at a tip.
-std::vector<std::vector<NodeId>> chainsOf(const Skeleton& truth, const Twig& twig) {
-  std::vector<std::vector<NodeId>> chains;
-  for (const NodeId id : twig.nodes)
-    if (id == twig.first || nextOnAxis(truth, *truth[id].parent) != id) {
-      std::vector<NodeId> chain = {*truth[id].parent, id};
-      while (const auto next = nextOnAxis(truth, chain.back()))
-        chain.push_back(*next);
-      chains.push_back(std::move(chain));
+/// What a trace is asked for with.
+TraceOptions optionsOf(const Subject& subject, const Skeleton& plant) {
+  return {.step = subject.step,
+          .alternatives = 0,
+          .wood = std::make_shared<const EdgeIndex>(bodiesOf(plant))};
+}
+
+/// What a hand makes of a twig at once: from the node that bears it to a tip.
+struct Chain {
+  std::vector<NodeId> nodes;
+  std::vector<Eigen::Index> points; // that show it, nearest the tip first
+};
+
+/// All of a twig, one after another, but for those that hardly any points show.
+std::vector<Chain> chainsOf(const Subject& subject, const Twig& twig) {
+  constexpr std::size_t fewest = 4; // points
+  const Skeleton& truth = subject.plant.truth;
+  std::vector<EdgeBody> wood = bodiesOf(truth);
+  std::erase_if(
+      wood, [&](const EdgeBody& edge) { return std::ranges::count(twig.nodes, edge.node) == 0; });
+  const EdgeIndex index(wood);
+  std::vector<Chain> chains;
+  for (const NodeId id : twig.nodes) {
+    if (id != twig.first && nextOnAxis(truth, *truth[id].parent) == id) continue;
+    Chain chain{.nodes = {*truth[id].parent, id}, .points = {}};
+    while (const auto next = nextOnAxis(truth, chain.nodes.back()))
+      chain.nodes.push_back(*next);
+    for (const Eigen::Index point : twig.points) {
+      const NodeId nearest = index.nearest(subject.cloud->position(point))->node;
+      if (std::find(chain.nodes.begin() + 1, chain.nodes.end(), nearest) != chain.nodes.end())
+        chain.points.push_back(point);
     }
+    std::ranges::sort(chain.points, {}, [&](Eigen::Index point) {
+      return (subject.cloud->position(point) - truth[chain.nodes.back()].position).squaredNorm();
+    });
+    if (id == twig.first || chain.points.size() >= fewest) chains.push_back(std::move(chain));
+  }
   return chains;
-}
-
-Vector3d nearestPointTo(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
-                        const Vector3d& place) {
-  return cloud.position(*std::ranges::min_element(points, {}, [&](Eigen::Index point) {
-    return (cloud.position(point) - place).squaredNorm();
-  }));
 }
 
 /// Where a click on the bearer lands that is meant for a place of it.
@@ -127,14 +144,14 @@ NearestPlace clickedOn(const Subject& subject, const Skeleton& plant, const Vect
 Made traced(const Subject& subject, const Twig& twig, Random& random) {
   Made made{subject.plant.pruned, {}};
   const Skeleton& truth = subject.plant.truth;
-  for (const std::vector<NodeId>& chain : chainsOf(truth, twig)) {
-    const NearestPlace on = clickedOn(subject, made.plant, truth[chain.front()].position, random);
-    const Vector3d end = nearestPointTo(*subject.cloud, twig.points, truth[chain.back()].position);
-    addLine(
-        made, on,
-        subject.graph
-            ->between({on.position, true}, {end, false}, {.step = subject.step, .alternatives = 0})
-            .front());
+  for (const Chain& chain : chainsOf(subject, twig)) {
+    const NearestPlace on =
+        clickedOn(subject, made.plant, truth[chain.nodes.front()].position, random);
+    if (chain.points.empty()) continue;
+    const Vector3d end = subject.cloud->position(chain.points.front());
+    addLine(made, subject.graph
+                      ->between({on.position, true}, {end, false}, optionsOf(subject, made.plant))
+                      .front());
   }
   return made;
 }
@@ -216,9 +233,9 @@ Made stroked(const Subject& subject, const Twig& twig, Random& random) {
   const PointCloud& cloud = *subject.cloud;
   constexpr double reach = 2; // spacings about the pointer
   const std::vector<Eigen::Index> about = pointsAbout(subject, twig);
-  for (const std::vector<NodeId>& chain : chainsOf(truth, twig)) {
+  for (const Chain& chain : chainsOf(subject, twig)) {
     const Vector3d along =
-        (truth[chain.back()].position - truth[chain.front()].position).normalized();
+        (truth[chain.nodes.back()].position - truth[chain.nodes.front()].position).normalized();
     std::size_t mostSeen = 0;
     std::unique_ptr<const Sight> best;
     std::vector<Vector3d> hand;
@@ -227,7 +244,8 @@ Made stroked(const Subject& subject, const Twig& twig, Random& random) {
       const Vector3d toViewer =
           Eigen::AngleAxisd(2 * std::numbers::pi * side / sides, along) * along.unitOrthogonal();
       auto sight = std::make_unique<const Sight>(cloud, about, toViewer);
-      std::vector<Vector3d> places = handOver(truth, chain, subject.spacing, toViewer, random);
+      std::vector<Vector3d> places =
+          handOver(truth, chain.nodes, subject.spacing, toViewer, random);
       std::size_t seen = 0;
       for (const Vector3d& place : places)
         if (const auto point = sight->pick(place, reach * subject.spacing))
@@ -237,7 +255,7 @@ Made stroked(const Subject& subject, const Twig& twig, Random& random) {
       best = std::move(sight);
       hand = std::move(places);
     }
-    const NearestPlace on = nearestOn(made.plant, truth[chain.front()].position);
+    const NearestPlace on = nearestOn(made.plant, truth[chain.nodes.front()].position);
     std::vector<Vector3d> places = {on.position};
     for (const Vector3d& place : hand) { // as the tool takes them
       const auto point = best->pick(place, reach * subject.spacing);
@@ -249,8 +267,7 @@ Made stroked(const Subject& subject, const Twig& twig, Random& random) {
         places.push_back(picked);
     }
     if (places.size() < 2) continue;
-    addLine(made, on,
-            subject.graph->through(places, true, {.step = subject.step, .alternatives = 0}));
+    addLine(made, subject.graph->through(places, true, optionsOf(subject, made.plant)));
   }
   return made;
 }
@@ -445,6 +462,7 @@ void judgePlant(const std::string& name, const Skeleton& truth,
     writeStructure(arguments.folder + "/" + name + "_truth.mtg", truth);
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!arguments.tool.empty() && arguments.tool != names[i]) continue;
     const Tally tally = judged(subject, static_cast<Tool>(i), seed, arguments);
     printLine(name, names[i], tally);
     all[i].add(tally);
@@ -457,6 +475,8 @@ int run(std::vector<std::string> words) {
     const bool hasValue = i + 1 < words.size();
     if (words[i] == "--twigs" && hasValue)
       arguments.twigs = std::stoull(words[++i]);
+    else if (words[i] == "--tool" && hasValue)
+      arguments.tool = words[++i];
     else if (words[i] == "--save" && hasValue)
       arguments.folder = words[++i];
     else if (words[i] == "--list")
@@ -467,7 +487,7 @@ int run(std::vector<std::string> words) {
   if (arguments.names.size() < 2) {
     std::puts("espalier_twigs --simulated|--noisy FIRST COUNT [OPTIONS]\n"
               "espalier_twigs SCAN STRUCTURE [OPTIONS]\n"
-              "options: --twigs N, --save DIR, --list");
+              "options: --twigs N, --save DIR, --tool NAME, --list");
     return 2;
   }
   std::puts("twigs | % of the length found, % of new wood near it | ... | begins off by spacings: "
@@ -492,10 +512,9 @@ int run(std::vector<std::string> words) {
         truth.setPosition(id, truth[id].position + *shift);
     judgePlant("scan", truth, cloud, 1, arguments, bare);
   }
-  for (std::size_t i = 0; i < names.size(); ++i)
-    printLine("all bare", names[i], bare[i]);
-  for (std::size_t i = 0; i < names.size() && leafy[0].twigs > 0; ++i)
-    printLine("all leafy", names[i], leafy[i]);
+  for (const auto& [name, tallies] : {std::pair("all bare", &bare), {"all leafy", &leafy}})
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if ((*tallies)[i].twigs > 0) printLine(name, names[i], (*tallies)[i]);
   return 0;
 }
 

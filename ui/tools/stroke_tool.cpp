@@ -1,6 +1,7 @@
 #include "ui/tools/stroke_tool.h"
 
 #include "core/base/error.h"
+#include "core/reconstruct/leave_wood.h"
 #include "core/skeleton/branch_edits.h"
 #include "core/skeleton/edits.h"
 #include "core/skeleton/path_edits.h"
@@ -296,11 +297,11 @@ void StrokeTool::makeBranch(const Trace& trace) {
       startNode_ ? tr("Draw a branch of %1").arg(nodeName(*startNode_)) : tr("Draw a branch");
   NodeId last{0};
   document().edit(text, [&](SkeletonEditor& editor) {
-    std::optional<NodeId> parent = startNode_;
-    if (startEdge_) parent = splitEdge(editor, startEdge_->child, startEdge_->fraction);
-    const auto skipped = parent ? 1 : 0; // the first place is the parent
-    last = addBranch(editor, parent, {trace.places.begin() + skipped, trace.places.end()},
-                     {trace.radii.begin() + skipped, trace.radii.end()});
+    Trace branch = trace;
+    if (!branch.begin && startNode_) branch.begin = {*startNode_, 1};
+    if (!branch.begin && startEdge_) branch.begin = {startEdge_->child, startEdge_->fraction};
+    last = branch.begin ? addTrace(editor, branch)
+                        : addBranch(editor, std::nullopt, branch.places, branch.radii);
   });
   document().selection().set({last});
 }

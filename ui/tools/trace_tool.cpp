@@ -1,6 +1,7 @@
 #include "ui/tools/trace_tool.h"
 
 #include "core/base/error.h"
+#include "core/reconstruct/leave_wood.h"
 #include "core/skeleton/branch_edits.h"
 #include "core/skeleton/edits.h"
 #include "core/skeleton/path_edits.h"
@@ -166,6 +167,7 @@ void TraceTool::accept() {
   if (start_->edge) from = start_->edge->child;
   const Skeleton& skeleton = document().skeleton();
   const bool isGone = (from && !skeleton.contains(*from)) ||
+                      (trace.begin && !skeleton.contains(trace.begin->on)) ||
                       (shownEnd_.node && !skeleton.contains(*shownEnd_.node));
   if (isGone) throw Error(tr("the node it was attached to is gone: trace it again").toStdString());
   document().edit(from ? tr("Trace a branch from %1").arg(nodeName(*from)) : tr("Trace a branch"),
@@ -174,25 +176,22 @@ void TraceTool::accept() {
 }
 
 void TraceTool::apply(SkeletonEditor& editor, const Trace& trace) {
-  std::vector<Eigen::Vector3d> places = trace.places;
-  std::vector<double> radii = trace.radii;
-  std::optional<NodeId> parent = start_->node;
+  Trace branch = trace;
   std::optional<NodeId> joined = shownEnd_.node;
-  if (start_->edge) parent = splitEdge(editor, start_->edge->child, start_->edge->fraction);
-  if (!parent && joined) { // from the points to a node: it is attached there
-    std::ranges::reverse(places);
-    std::ranges::reverse(radii);
-    parent = std::exchange(joined, std::nullopt);
+  if (!start_->node && !start_->edge && joined) { // from the points to a node: it is attached there
+    std::ranges::reverse(branch.places);
+    std::ranges::reverse(branch.radii);
+    if (!branch.begin) branch.begin = {*joined, 1};
+    joined.reset();
   }
-  if (parent) {
-    places.erase(places.begin());
-    radii.erase(radii.begin());
-  }
+  if (!branch.begin && start_->edge) branch.begin = {start_->edge->child, start_->edge->fraction};
+  if (!branch.begin && start_->node) branch.begin = {*start_->node, 1};
   if (joined) {
-    places.pop_back();
-    radii.pop_back();
+    branch.places.pop_back();
+    branch.radii.pop_back();
   }
-  const NodeId last = places.empty() ? *parent : addBranch(editor, parent, places, radii);
+  const NodeId last = branch.begin ? addTrace(editor, branch)
+                                   : addBranch(editor, std::nullopt, branch.places, branch.radii);
   if (joined) joinTree(editor, *joined, last);
 }
 

@@ -13,6 +13,7 @@
 
 #include <QAction>
 
+#include <algorithm>
 #include <utility>
 
 namespace espalier {
@@ -59,6 +60,8 @@ TraceFlow::TraceFlow(const Parts& parts)
   for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged})
     connect(&parts_.document, signal, this, &TraceFlow::forget);
   connect(&parts_.document, &PlantDocument::skeletonReplaced, tool_, &TraceTool::cancel);
+  connect(&parts_.document, &PlantDocument::skeletonReplaced, this, [this] { wood_.reset(); });
+  connect(&parts_.document, &PlantDocument::skeletonEdited, this, [this] { wood_.reset(); });
 
   parts_.actions.beginSection(tr("Tools"));
   QAction* next = parts_.actions.add({.id = "next_way",
@@ -135,13 +138,22 @@ void TraceFlow::work() {
     makeGraph();
     return;
   }
-  const Asked asked = *std::exchange(next_, std::nullopt);
+  Asked asked = *std::exchange(next_, std::nullopt);
+  asked.question.options.wood = wood();
   const auto trace = [graph = graph_, question = asked.question](const Progress& progress) {
     const std::vector<Eigen::Vector3d>& places = question.places;
     if (question.isDrawn)
       return std::vector{graph->through(places, question.startIsFixed, question.options, progress)};
-    return graph->between({places.front(), question.startIsFixed},
-                          {places.back(), question.endIsFixed}, question.options, progress);
+    const TraceEnd start{places.front(), question.startIsFixed};
+    const TraceEnd end{places.back(), question.endIsFixed};
+    if (start.isFixed || !end.isFixed)
+      return graph->between(start, end, question.options, progress);
+    std::vector<Trace> traces = graph->between(end, start, question.options, progress);
+    for (Trace& each : traces) { // it begins at the plant all the same
+      std::ranges::reverse(each.places);
+      std::ranges::reverse(each.radii);
+    }
+    return traces;
   };
   traces_.start(tr("Tracing"), trace, [this, answer = asked.answer](std::vector<Trace> traces) {
     parts_.actions.guarded(
@@ -151,6 +163,11 @@ void TraceFlow::work() {
         },
         Refusal::atPointer);
   });
+}
+
+std::shared_ptr<const EdgeIndex> TraceFlow::wood() {
+  if (!wood_) wood_ = std::make_shared<const EdgeIndex>(bodiesOf(parts_.document.skeleton()));
+  return wood_;
 }
 
 void TraceFlow::makeGraph() {

@@ -49,6 +49,7 @@ private:
   void ask(const TraceQuestion& question, const TraceAnswer& answer);
   void work();
   void makeGraph();
+  [[nodiscard]] std::shared_ptr<const EdgeIndex> wood(); // of the plant, as it is now
   void forget();
   void addGrowing();
   [[nodiscard]] PipelineOptions options() const;
@@ -63,6 +64,7 @@ private:
   TraceTool* tool_;
   RegrowTool* regrow_;
   std::shared_ptr<const TraceGraph> graph_; // of the scan shown; null until it is asked for
+  std::shared_ptr<const EdgeIndex> wood_;   // null: the plant has changed since
   std::optional<Asked> next_;
   JobSlot traces_{parts_.jobs.queue(), JobPriority::hand};
 };

@@ -75,6 +75,50 @@ TEST(Trace, SpacesItsPlacesEvenly) {
     EXPECT_NEAR((trace.places[i] - trace.places[i - 1]).norm(), 0.25, 0.05);
 }
 
+// Half a circle of radius 0.5: edges of 0.8 would cut it by 0.18.
+TEST(Trace, SpacesItsPlacesCloserInABend) {
+  const double spacing = 0.02;
+  RawPoints raw;
+  const auto bend = [](double along) {
+    const double angle = along * std::numbers::pi;
+    return Vector3d(0.5 * std::sin(angle), 0, 0.5 - 0.5 * std::cos(angle));
+  };
+  for (int i = 0; i <= 400; ++i) { // 0.03 thick
+    const double angle = 2.4 * i;
+    const Vector3d out = (bend(i / 400.0) - Vector3d(0, 0, 0.5)).normalized();
+    raw.positions.emplace_back(
+        bend(i / 400.0) + 0.03 * (std::cos(angle) * out + std::sin(angle) * Vector3d(0, 1, 0)));
+  }
+  const TraceGraph graph(std::make_shared<const PointCloud>(std::move(raw)));
+  const Trace trace =
+      graph.between({bend(0), true}, {bend(1), true}, {.step = 0.8, .alternatives = 0}).front();
+  for (int i = 0; i <= 100; ++i)
+    EXPECT_LT(distanceToLine(bend(i / 100.0), trace.places), 1.5 * spacing) << i;
+  EXPECT_LT(trace.places.size(), 16U) << "but not at each point";
+}
+
+TEST(Trace, FoldsBackNowhereThoughItsStepsAreShorterThanThePointsAreApart) {
+  const TraceGraph graph(cloudOf(pole()));
+  const Trace trace = graph.between({{0.1, 0, 0.2}}, {{-0.1, 0, 1.8}}, {.step = 0.004}).front();
+  for (std::size_t i = 2; i < trace.places.size(); ++i) {
+    const Vector3d below = trace.places[i - 1] - trace.places[i - 2];
+    const Vector3d above = trace.places[i] - trace.places[i - 1];
+    EXPECT_GT(below.dot(above), 0);
+  }
+}
+
+// One looks past the pole here and there, at wood 1 behind it.
+TEST(Trace, LeavesOutWhatAStrokePicksOnOtherWood) {
+  const Eigen::Matrix3Xf behind = test::cylinder({0, 1, 0}, {0, 1, 2}, 0.1, 0.02);
+  const TraceGraph graph(cloudOf(test::both(pole(), behind)));
+  std::vector<Vector3d> picked;
+  for (int i = 0; i < 40; ++i)
+    picked.emplace_back(0, i % 10 < 3 && i > 0 ? 0.9 : -0.1, 0.2 + 0.04 * i);
+  const Trace trace = graph.through(picked, false, {.step = 0.2});
+  for (const Vector3d& place : trace.places)
+    EXPECT_LT(place.head<2>().norm(), 0.1);
+}
+
 TEST(Trace, EndsExactlyAtNodes) {
   const TraceGraph graph(cloudOf(pole()));
   const Vector3d from(0.01, 0.02, 0.1);

@@ -273,9 +273,26 @@ private:
     if (least >= best_[piece].cost) return;
     const double cost = least * (1 + turnCost(at, bearer, link));
     if (cost >= best_[piece].cost) return;
-    if (gap > options_.widestJoin && !points_.hasNoGap(bearer.node, node, options_.widestJoin))
+    const bool isFar = gap > options_.widestJoin;
+    if (isFar && !(gap <= options_.widestAhead && isAhead(at, link)) &&
+        !points_.hasNoGap(bearer.node, node, options_.widestJoin))
       return;
     best_[piece] = {cost, at, bearer};
+  }
+
+  /// Whether the end of a piece leads back along a link, over a few of its nodes.
+  [[nodiscard]] bool isAhead(std::uint32_t at, const Vector3d& link) const {
+    constexpr double least = 0.77; // cosine of 40 degrees
+    constexpr int behind = 3;      // nodes
+    if (loose_[at].links.size() != 1) return false;
+    std::uint32_t before = at;
+    std::uint32_t end = loose_[at].links.front();
+    for (int i = 1; i < behind && loose_[end].links.size() == 2; ++i) {
+      const std::uint32_t next = loose_[end].links[loose_[end].links[0] == before ? 1 : 0];
+      before = end;
+      end = next;
+    }
+    return cosine(link, loose_[end].node.position - loose_[at].node.position) >= least;
   }
 
   /// How much more an attachment costs that turns; infinite where it turns too sharply.
@@ -326,7 +343,9 @@ private:
     while (!open.empty()) {
       const auto [at, bearer] = open.back();
       open.pop_back();
-      const Node node = onPoints(loose_[at].node, bearer.node);
+      Node node = onPoints(loose_[at].node, bearer.node);
+      // It was found to go on where it was: were it cut now, it would be tried for ever.
+      if (!goesOn(bearer, node.position)) node.position = loose_[at].node.position;
       const bool isPassed =
           mayBePassed(at, bearer); // it only makes the branch turn, or adds nothing
       if (!isPassed && !goesOn(bearer, node.position)) {

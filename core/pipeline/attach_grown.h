@@ -20,6 +20,9 @@ struct AttachOptions {
   double spacing = 0;    // [L] between points, > 0
   double widestGap = 0;  // [L] no edge of what grew crosses a wider one that no points are in, > 0
   double widestJoin = 0; // [L] nor one that attaches it to the plant, or to others, > 0
+  /// [L] but for ends of a piece across a gap that their course leads over, which may be so wide;
+  /// 0: as widestJoin
+  double widestAhead = 0;
   double sharpestTurn = 2 * std::numbers::pi / 3; // [rad] no edge turns off by more, in (0, pi]
 };
 
@@ -27,10 +30,11 @@ struct AttachOptions {
 ///
 /// Edges across wide gaps are cut, and nodes that lie off the points go back to them. Each piece
 /// may be entered at any of its nodes from any place of the plant and of pieces before it, across
-/// `widestJoin` at most, or up to ten times as far along points; what goes on by a turn sharper
-/// than `sharpestTurn` is a piece of its own. Of all ways to attach a piece that costs least which
-/// is short and turns little, the cheapest of all pieces first (Prim). Pieces that nothing leads to
-/// are left out. No new node is thicker than the one it is attached to, if that has a radius.
+/// `widestJoin` at most, or up to ten times as far along points, or `widestAhead` straight ahead;
+/// what goes on by a turn sharper than `sharpestTurn` is a piece of its own. Of all ways to attach
+/// a piece that costs least which is short and turns little, the cheapest of all pieces first
+/// (Prim). Pieces that nothing leads to are left out. No new node is thicker than the one it is
+/// attached to, if that has a radius.
 ///
 /// @param plant  with radii; not empty
 /// @param onto   its nodes that may bear new ones: at them, and on the edges between two of them

@@ -34,8 +34,6 @@ struct Part {
 };
 
 /// What grows: parts, each by itself, and then attached together.
-constexpr std::size_t fewestChosen = 5; // points that someone chose: a twig has few
-
 class Growth {
 public:
   /// @param whole  of the cloud
@@ -66,7 +64,8 @@ public:
     if (grown.isEmpty()) return {};
     const AttachOptions attach{.spacing = whole_.spacing,
                                .widestGap = gap_,
-                               .widestJoin = options_.widestJoin > 0 ? options_.widestJoin : gap_};
+                               .widestJoin = options_.widestJoin > 0 ? options_.widestJoin : gap_,
+                               .widestAhead = isChosen_ ? widestAhead * whole_.spacing : 0};
     const PointSet& leftOut = options_.pipeline.leftOut;
     const Progress last = progress.part(0.9, 1);
     if (leftOut.isEmpty()) return attached(skeleton_, skeleton_.ids(), grown, cloud_, attach, last);
@@ -150,7 +149,7 @@ private:
     const Eigen::Vector3d foot = positions_.col(part.foot).cast<double>() + cloud_.origin();
     Skeleton grown;
     if (isChosen_)
-      grown = grownOrLine(cloud_, columns, foot, whole_, options_.pipeline, edge_, progress);
+      grown = grownOrTraced(cloud_, columns, foot, whole_, options_.pipeline, edge_, progress);
     else
       try {
         grown = grownPart(cloud_, columns, foot, whole_, options_.pipeline, progress);

@@ -20,8 +20,8 @@ struct GrowOptions {
 /// The points fall into parts where gaps are wide; fewer than 5 are dust. Each part is
 /// reconstructed by all steps of the pipeline, with the settings that its rules give for the whole
 /// scan, from its point that is nearest to the plant; of few points, a line along them. What grew
-/// is attached to the plant, and to other parts, where that is near and turns little (attached() in
-/// attach_grown.h).
+/// is attached to the plant, and to other parts, where that is near and turns little, or up to 30
+/// spacings straight ahead (attached() in attach_grown.h).
 ///
 /// Points that an edge explains are left out, unless hardly any others are among them.
 ///

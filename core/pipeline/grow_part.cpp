@@ -5,7 +5,7 @@
 #include "core/pipeline/method_parts.h"
 #include "core/pipeline/pipeline_start.h"
 #include "core/pipeline/step_graph.h"
-#include "core/reconstruct/trace.h"
+#include "core/reconstruct/leave_wood.h"
 #include "core/skeleton/frustum.h"
 
 #include <algorithm>
@@ -72,35 +72,46 @@ Skeleton grownPart(const PointCloud& cloud, const std::vector<Eigen::Index>& poi
   return *state.skeleton;
 }
 
-Skeleton lineAlong(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
+Skeleton treeAlong(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
                    const Eigen::Vector3d& start, double edge, const Progress& progress) {
+  constexpr int mostBranches = 50;
+  constexpr double about = 3;    // spacings beside the wood: its points
+  constexpr double shortest = 6; // spacings: what is shorter is noise more often than not
   const auto own = std::make_shared<const PointCloud>(partOf(cloud, points));
-  const TraceGraph graph(own, nullptr, progress.part(0, 0.8));
+  const TraceGraph graph(own, nullptr, progress.part(0, 0.5));
   const Eigen::Vector3d end = graph.farthestFrom(start);
   const Eigen::Vector3d otherEnd = graph.farthestFrom(end);
-  const double length = (end - otherEnd).norm();
-  Skeleton line;
-  if (length == 0) return line;
-  if (points.size() < fewestPoints) { // their course is that of chance
-    const NodeId first = line.add({.position = end});
-    line.add({.position = otherEnd, .parent = first});
-    const double beside = meanDistance(cloud, points, line);
-    for (const NodeId id : line.ids())
-      line.setRadius(id, beside);
-    return line;
-  }
+  Skeleton tree;
+  if (end == otherEnd) return tree;
+  const double step = std::min(edge, (end - otherEnd).norm() / 2);
   const Trace trace =
-      graph
-          .between({end}, {otherEnd}, {.step = std::min(edge, length / 2), .alternatives = 0},
-                   progress.part(0.8, 1))
+      graph.between({end}, {otherEnd}, {.step = step, .alternatives = 0}, progress.part(0.5, 0.6))
           .front();
   std::optional<NodeId> last;
   for (std::size_t i = 0; i < trace.places.size(); ++i)
-    last = line.add({.position = trace.places[i], .radius = trace.radii[i], .parent = last});
-  const double beside = meanDistance(cloud, points, line);
-  for (const NodeId id : line.ids())
-    if (line[id].radius == 0) line.setRadius(id, beside);
-  return line;
+    last = tree.add({.position = trace.places[i], .radius = trace.radii[i], .parent = last});
+  const double beside = meanDistance(cloud, points, tree);
+  const auto fillRadii = [&] {
+    for (const NodeId id : tree.ids())
+      if (tree[id].radius == 0) tree.setRadius(id, beside);
+  };
+  fillRadii();
+  for (int i = 0; i < mostBranches && graph.spacing() > 0; ++i) {
+    const auto wood = std::make_shared<const EdgeIndex>(bodiesOf(tree));
+    const std::optional<Eigen::Vector3d> tip =
+        graph.farthestFrom(*wood, about * graph.spacing(), shortest * graph.spacing());
+    if (!tip) break;
+    const Trace branch =
+        graph
+            .between({wood->nearest(*tip)->position, true}, {*tip},
+                     {.step = step, .alternatives = 0, .wood = wood}, progress.part(0.6, 1))
+            .front();
+    SkeletonEditor editor(tree);
+    addTrace(editor, branch);
+    (void)editor.commit();
+    fillRadii();
+  }
+  return tree;
 }
 
 double meanDistance(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
@@ -114,19 +125,20 @@ double meanDistance(const PointCloud& cloud, const std::vector<Eigen::Index>& po
   return sum / static_cast<double>(points.size());
 }
 
-Skeleton grownOrLine(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
-                     const Eigen::Vector3d& root, const PlantScale& whole,
-                     const PipelineOptions& options, double edge, const Progress& progress) {
-  constexpr std::size_t enough = 5; // nodes: what branches is not for a line
-  if (points.size() < fewestPoints) return lineAlong(cloud, points, root, edge, progress);
+Skeleton grownOrTraced(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
+                       const Eigen::Vector3d& root, const PlantScale& whole,
+                       const PipelineOptions& options, double edge, const Progress& progress) {
+  constexpr std::size_t most = 20'000; // points: more of them are a plant
+  constexpr double clearly = 0.9;      // so much nearer, what the pipeline makes is better
   Skeleton grown;
-  try {
-    grown = grownPart(cloud, points, root, whole, options, progress.part(0, 0.7));
-  } catch (const Error&) { // it makes no plant of them: too few along it
-  }
-  if (grown.size() >= enough) return grown;
-  Skeleton line = lineAlong(cloud, points, root, edge, progress.part(0.7, 1));
-  return meanDistance(cloud, points, line) < meanDistance(cloud, points, grown) ? line : grown;
+  if (points.size() >= fewestPoints) try {
+      grown = grownPart(cloud, points, root, whole, options, progress.part(0, 0.7));
+    } catch (const Error&) { // it makes no plant of them: too few along it
+    }
+  if (points.size() > most && grown.size() > 1) return grown;
+  Skeleton traced = treeAlong(cloud, points, root, edge, progress.part(0.7, 1));
+  const double ofGrown = meanDistance(cloud, points, grown);
+  return ofGrown < clearly * meanDistance(cloud, points, traced) ? grown : traced;
 }
 
 } // namespace espalier

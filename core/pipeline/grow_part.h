@@ -10,7 +10,9 @@ namespace espalier {
 // What regrowing a node and growing new branches share: the steps, run on some points of a scan.
 
 inline constexpr std::size_t fewestPoints = 20; // that distinguish a branch from dust
-inline constexpr int partLinks = 12;            // of a point, to find what is connected
+inline constexpr std::size_t fewestChosen = 5;  // of those that someone chose: a twig has few
+inline constexpr double widestAhead = 30; // spacings: gap that a branch leads over straight on
+inline constexpr int partLinks = 12;      // of a point, to find what is connected
 
 /// The points that no edge of a skeleton explains: they lie farther than `tolerance` [L] from the
 /// frustum of the edge they are nearest to. Points set aside are none of them, and each place
@@ -46,14 +48,15 @@ struct PointByFrustum {
                                  const Eigen::Vector3d& root, const PlantScale& whole,
                                  const PipelineOptions& options, const Progress& progress = {});
 
-/// A line of nodes along some points of a cloud, from end to end of what is connected about one
-/// of them, for points that are too few for the pipeline.
+/// Nodes along some points of a cloud: a trace from end to end of them, and one for each branch of
+/// 6 spacings or more off it, at most 50.
 /// @param points  columns, ascending; not empty
 /// @param start   [L], frame of the file: where the points are meant
-/// @param edge    [L] wanted length of edges, > 0; shorter where there would be one only
-/// @return a chain of two nodes or more; empty if the points have no length
+/// @param edge    [L] wanted length of edges, > 0; shorter in bends
+/// @return a tree of two nodes or more; empty if the points have no length
 /// @throws Cancelled if `progress` asks to stop
-[[nodiscard]] Skeleton lineAlong(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
+/// Time O(b n log n) for b branches.
+[[nodiscard]] Skeleton treeAlong(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
                                  const Eigen::Vector3d& start, double edge,
                                  const Progress& progress = {});
 
@@ -62,14 +65,15 @@ struct PointByFrustum {
 [[nodiscard]] double meanDistance(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
                                   const Skeleton& skeleton);
 
-/// What grows of points by the pipeline, or along a line where that follows them better: the
-/// pipeline makes a node or two of a few points.
-/// @param root, edge  as of grownPart() and lineAlong()
+/// What grows of points by the pipeline, or is traced along them where that follows them as well:
+/// of a few points, the pipeline makes a node or two.
+/// @param root, edge  as of grownPart() and treeAlong()
 /// @return a tree; empty if nothing grows
 /// @throws Cancelled if `progress` asks to stop
-[[nodiscard]] Skeleton grownOrLine(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
-                                   const Eigen::Vector3d& root, const PlantScale& whole,
-                                   const PipelineOptions& options, double edge,
-                                   const Progress& progress = {});
+[[nodiscard]] Skeleton grownOrTraced(const PointCloud& cloud,
+                                     const std::vector<Eigen::Index>& points,
+                                     const Eigen::Vector3d& root, const PlantScale& whole,
+                                     const PipelineOptions& options, double edge,
+                                     const Progress& progress = {});
 
 } // namespace espalier

@@ -429,7 +429,7 @@ Trace TraceGraph::spaced(const Trace& fine, double step) const {
     std::size_t farthest = 0;
     double excess = 0;
     for (std::size_t i = kept[at - 1] + 1; i < kept[at]; ++i) {
-      const double most = std::max(wood[i] / 4, 0.6 * spacing_);
+      const double most = std::max(wood[i] / 4, 0.3 * spacing_);
       const double off = distanceToLine(fine.places[i], {edge[0], edge[1]}) - most;
       const bool isApart = (fine.places[i] - edge[0]).norm() >= shortest * spacing_ &&
                            (fine.places[i] - edge[1]).norm() >= shortest * spacing_;

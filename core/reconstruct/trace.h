@@ -55,7 +55,7 @@ struct TraceOptions {
 /// gap costs more the wider it is.
 ///
 /// Places of a trace are spaced evenly, and closer where the line between them would leave the
-/// middle of the wood by more than a quarter of its radius or 0.6 spacings, whichever is more.
+/// middle of the wood by more than a quarter of its radius or 0.3 spacings, whichever is more.
 /// Places of a trace lie within 1.5 spacings of the points beside the wood, or amid thick wood; so
 /// none is in a gap. Ends that are fixed are where they are.
 class TraceGraph {

@@ -1,6 +1,7 @@
 #include "ui/tools/regrow_tool.h"
 
 #include "core/base/error.h"
+#include "core/skeleton/axes.h"
 #include "core/skeleton/branch_edits.h"
 #include "core/skeleton/select.h"
 #include "ui/document/length_unit.h"
@@ -42,68 +43,138 @@ std::size_t fifthOf(std::size_t shown) {
   return std::max<std::size_t>(1, shown / 5);
 }
 
-QString newNodes(std::size_t count) {
+QString nodesText(std::size_t count) {
   return count == 1 ? RegrowTool::tr("1 new node")
                     : RegrowTool::tr("%1 new nodes").arg(formatCount(count));
 }
 
+std::vector<Eigen::Vector3d> placesOf(const Skeleton& part) {
+  std::vector<Eigen::Vector3d> places;
+  for (const NodeId id : part.ids())
+    places.push_back(part[id].position);
+  return places;
+}
+
 } // namespace
 
+QString RegrowTool::walkHint() const {
+  const std::optional<std::size_t> at = current();
+  if (!at) return tr("Enter accepts, Esc drops");
+  return tr("%1: %2 long   {take_branch} takes it   {drop_branch} drops it   Enter takes all, Esc "
+            "drops all")
+      .arg(formatCount(*at + 1), formatLength(proposals_[*at].length, document().unit(), 3));
+}
+
 QString RegrowTool::branchesHint() const {
-  std::size_t nodes = 0;
-  for (std::size_t i = 0; i < shown_; ++i)
-    nodes += branches_[i].part.size() - 1;
-  const QString added = newNodes(nodes);
-  const QString end = tr("Enter accepts, Esc drops");
+  const QString added = nodesText(newNodes());
   if (branches_.size() == 1)
-    return tr("%1 on %2   %3").arg(added, nodeName(branches_.front().on), end);
-  const QString length = formatLength(lengths_[shown_ - 1], document().unit(), 3);
+    return tr("%1 on %2   %3").arg(added, nodeName(branches_.front().on), walkHint());
+  const QString length = formatLength(proposals_[shown_ - 1].length, document().unit(), 3);
   return tr("%1 of %2 branches, from %3 on: %4   %5   {fewer_branches} fewer   "
             "{more_branches} more")
-      .arg(formatCount(shown_), formatCount(branches_.size()), length, added, end);
+      .arg(formatCount(shown_), formatCount(branches_.size()), length, added, walkHint());
 }
 
 QString RegrowTool::hint() const {
   if (!branches_.empty()) return branchesHint();
   if (!node_) return tr("Click a node: what it carries is reconstructed again");
   const std::size_t carried = downstream(document().skeleton(), {*node_}).size() - 1;
-  return tr("%1 for the %2 that %3 carries   Enter accepts, Esc drops")
-      .arg(newNodes(part_.size() - 1), formatCount(carried), nodeName(*node_));
+  return tr("%1 for the %2 that %3 carries   %4")
+      .arg(nodesText(newNodes()), formatCount(carried), nodeName(*node_), walkHint());
+}
+
+std::optional<std::size_t> RegrowTool::current() const {
+  if (shown() < 2) return std::nullopt;
+  for (std::size_t i = 0; i < shown(); ++i)
+    if (!proposals_[i].isTaken && !proposals_[i].isDropped) return i;
+  return std::nullopt;
+}
+
+std::size_t RegrowTool::newNodes() const {
+  std::size_t nodes = 0;
+  for (std::size_t i = 0; i < shown(); ++i)
+    if (!proposals_[i].isDropped) nodes += proposals_[i].look.nodes.size();
+  return nodes;
+}
+
+void RegrowTool::takeCurrent() {
+  const std::optional<std::size_t> at = current();
+  if (!at) return;
+  proposals_[*at].isTaken = true;
+  goOn();
+}
+
+void RegrowTool::dropCurrent() {
+  const std::optional<std::size_t> at = current();
+  if (!at) return;
+  proposals_[*at].isDropped = true;
+  for (Proposal& each : proposals_) // each comes after the one that carries it
+    if (each.on && proposals_[*each.on].isDropped) each.isDropped = true;
+  goOn();
+}
+
+void RegrowTool::goOn() {
+  if (const std::optional<std::size_t> at = current()) {
+    preview();
+    emit reached(proposals_[*at].places);
+    return;
+  }
+  const auto isTaken = [](const Proposal& each) { return each.isTaken; };
+  if (std::ranges::any_of(proposals_, isTaken))
+    accept();
+  else
+    cancel();
 }
 
 void RegrowTool::accept() {
-  if (!branches_.empty()) return acceptBranches();
+  if (branches_.empty())
+    acceptPart();
+  else
+    acceptBranches();
+}
+
+void RegrowTool::acceptPart() {
   const NodeId node = *node_;
   if (!document().skeleton().contains(node))
     throw Error(tr("the node is gone: choose another one").toStdString());
+  Skeleton part = part_;
+  for (auto each = proposals_.rbegin(); each != proposals_.rend(); ++each)
+    if (each->isDropped)
+      for (auto id = each->nodes.rbegin(); id != each->nodes.rend(); ++id)
+        part.erase(*id);
   document().edit(tr("Regrow %1").arg(nodeName(node)),
-                  [&](SkeletonEditor& editor) { replaceCarried(editor, node, part_); });
+                  [&](SkeletonEditor& editor) { replaceCarried(editor, node, part); });
   document().selection().set({node});
   cancel();
 }
 
 void RegrowTool::acceptBranches() {
   const Skeleton& skeleton = document().skeleton();
+  std::vector<GrownBranch> wanted;
   for (std::size_t i = 0; i < shown_; ++i)
-    if (const GrownBranch& branch = branches_[i];
-        !skeleton.contains(branch.on) || (branch.fraction < 1 && !skeleton[branch.on].parent))
+    if (!proposals_[i].isDropped) wanted.push_back(branches_[i]);
+  for (const GrownBranch& branch : wanted)
+    if (!skeleton.contains(branch.on) || (branch.fraction < 1 && !skeleton[branch.on].parent))
       throw Error(tr("%1 is gone, which was to carry a branch: drop this, and grow it again")
                       .arg(nodeName(branch.on))
                       .toStdString());
   std::vector<NodeId> added;
-  document().edit(text_, [&](SkeletonEditor& editor) {
-    added = addGrown(editor, {branches_.begin(), branches_.begin() + std::ptrdiff_t(shown_)});
-  });
+  document().edit(text_, [&](SkeletonEditor& editor) { added = addGrown(editor, wanted); });
   document().selection().set(downstream(document().skeleton(), added));
   cancel();
 }
 
-void RegrowTool::cancel() {
-  if (!hasPreview()) return;
+void RegrowTool::clear() {
   node_.reset();
   part_ = {};
   branches_.clear();
+  proposals_.clear();
   shown_ = 0;
+}
+
+void RegrowTool::cancel() {
+  if (!hasPreview()) return;
+  clear();
   canvas().showPreview({});
   emit finished();
 }
@@ -114,32 +185,53 @@ void RegrowTool::startWith(const std::vector<NodeId>& nodes) {
 }
 
 void RegrowTool::show(NodeId node, const Skeleton& part) {
+  clear();
   node_ = node;
   part_ = part;
-  branches_.clear();
-  shown_ = 0;
-  Preview preview;
-  addTo(preview, part);
-  canvas().showPreview(preview);
-  emit hintChanged();
+  std::vector<std::size_t> proposalOf(part.idEnd(), 0);
+  for (const Axis& axis : axes(part)) { // carriers first
+    Proposal proposal;
+    for (const NodeId id : axis) {
+      const Node& each = part[id];
+      proposalOf[indexOf(id)] = proposals_.size();
+      proposal.places.push_back(each.position);
+      if (!each.parent) continue;
+      const Eigen::Vector3d& below = part[*each.parent].position;
+      if (id == axis.front()) {
+        proposal.on = proposalOf[indexOf(*each.parent)];
+        proposal.places.push_back(below);
+      }
+      proposal.nodes.push_back(id);
+      proposal.look.lines.push_back({below, each.position});
+      proposal.look.nodes.push_back(each.position);
+      proposal.length += (each.position - below).norm();
+    }
+    proposals_.push_back(std::move(proposal));
+  }
+  begin();
 }
 
 void RegrowTool::show(std::vector<GrownBranch> branches, const QString& text, double least) {
-  node_.reset();
-  branches_.clear();
-  lengths_.clear();
+  clear();
   text_ = text;
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < branches.size(); ++i)
     order.emplace_back(lengthOf(branches[i].part), i);
   std::ranges::stable_sort(order, std::greater<>(), &std::pair<double, std::size_t>::first);
   for (const auto& [length, i] : order) {
+    Proposal proposal{.places = placesOf(branches[i].part), .look = {}, .length = length, .on = {}};
+    addTo(proposal.look, branches[i].part);
+    proposals_.push_back(std::move(proposal));
     branches_.push_back(std::move(branches[i]));
-    lengths_.push_back(length);
   }
-  const auto isLong = [least](double length) { return length >= least; };
-  shown_ = std::max<std::size_t>(1, std::size_t(std::ranges::count_if(lengths_, isLong)));
+  const auto isLong = [least](const Proposal& each) { return each.length >= least; };
+  shown_ = std::max<std::size_t>(1, std::size_t(std::ranges::count_if(proposals_, isLong)));
+  begin();
+}
+
+void RegrowTool::begin() {
   preview();
+  if (const std::optional<std::size_t> at = current()) emit reached(proposals_[*at].places);
 }
 
 void RegrowTool::showFewer() {
@@ -154,10 +246,21 @@ void RegrowTool::showMore() {
   preview();
 }
 
+/// All that is not dropped; the nodes are those of the one that is to be chosen, if there is one.
 void RegrowTool::preview() {
+  const std::optional<std::size_t> at = current();
   Preview preview;
-  for (std::size_t i = 0; i < shown_; ++i)
-    addTo(preview, branches_[i].part);
+  const auto add = [&](const Proposal& proposal, bool withNodes) {
+    const Preview& look = proposal.look;
+    preview.lines.insert(preview.lines.end(), look.lines.begin(), look.lines.end());
+    if (withNodes) preview.nodes.insert(preview.nodes.end(), look.nodes.begin(), look.nodes.end());
+  };
+  for (std::size_t i = 0; i < shown(); ++i)
+    if (!proposals_[i].isDropped && i != at) add(proposals_[i], !at.has_value());
+  if (at) {
+    add(proposals_[*at], true); // last: its label is at its end
+    preview.label = tr("%1 of %2", "branch").arg(*at + 1).arg(shown());
+  }
   canvas().showPreview(preview);
   emit hintChanged();
 }

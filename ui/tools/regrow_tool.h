@@ -17,6 +17,9 @@ namespace espalier {
 /// and shows what grew. Missing branches are wanted elsewhere, and shown only. It ends when that is
 /// accepted or dropped.
 ///
+/// Where several branches are proposed, they are walked: each is looked at, and taken or dropped,
+/// and once all are, those taken are made, as one edit. To accept takes all that were not dropped.
+///
 /// Of missing branches the short ones are not shown at first, nor added: most are twigs of noise,
 /// each of which would have to be looked at. How long one must be is raised and lowered meanwhile.
 class RegrowTool : public Tool {
@@ -43,19 +46,45 @@ public:
   void showFewer(); // by a fifth: the longest
   void showMore();
 
+  /// Is there one of several branches to be taken or dropped?
+  [[nodiscard]] bool canChoose() const { return current().has_value(); }
+  void takeCurrent();
+  void dropCurrent(); // and what it would carry
+
 signals:
   void wanted(espalier::NodeId node);
+  /// One of several branches is the next to be taken or dropped: its places [L].
+  void reached(const std::vector<Eigen::Vector3d>& places);
 
 private:
+  /// A branch that is proposed: one of branches_, or an axis of part_.
+  struct Proposal {
+    std::vector<Eigen::Vector3d> places; // of its nodes [L]
+    Preview look;
+    double length = 0;              // [L]
+    std::optional<std::size_t> on;  // the one that would carry it
+    std::vector<NodeId> nodes = {}; // of part_
+    bool isTaken = false;
+    bool isDropped = false;
+  };
+
   bool act(const ToolInput& input) override;
+  void acceptPart();
   void acceptBranches();
+  void begin(); // the walk
+  void goOn();
   void preview(); // of the branches that are shown
+  void clear();
+  [[nodiscard]] std::size_t shown() const { return node_ ? proposals_.size() : shown_; }
+  [[nodiscard]] std::optional<std::size_t> current() const;
+  [[nodiscard]] std::size_t newNodes() const; // of all that were not dropped
+  [[nodiscard]] QString walkHint() const;
   [[nodiscard]] QString branchesHint() const;
 
   std::optional<NodeId> node_; // to carry the part, while that is shown
   Skeleton part_;
   std::vector<GrownBranch> branches_; // to choose from, the longest first
-  std::vector<double> lengths_;       // of these [L]
+  std::vector<Proposal> proposals_;   // as many as branches_, or as part_ has axes
   std::size_t shown_ = 0;             // the first of these; what is accepted
   QString text_;
   std::optional<QPointF> pressedOnEdge_; // there

@@ -5,12 +5,14 @@
 #include "core/base/error.h"
 #include "core/cloud/repeated_points.h"
 #include "core/pipeline/regrow.h"
+#include "core/skeleton/path_edits.h"
 #include "ui/document/plant_document.h"
 #include "ui/tools/regrow_tool.h"
 #include "ui/tools/stroke_tool.h"
 #include "ui/tools/trace_tool.h"
 #include "ui/view/plant_view.h"
 
+#include <Eigen/Geometry>
 #include <QAction>
 
 #include <algorithm>
@@ -49,6 +51,7 @@ TraceFlow::TraceFlow(const Parts& parts)
   connect(tool_, &TraceTool::asked, this, &TraceFlow::ask);
   connect(toolOf<StrokeTool>(parts.editing, "stroke"), &StrokeTool::asked, this, &TraceFlow::ask);
   connect(regrow_, &RegrowTool::wanted, this, &TraceFlow::regrow);
+  connect(regrow_, &RegrowTool::reached, this, &TraceFlow::lookAt);
   connect(&traces_, &JobSlot::finished, this, &TraceFlow::work);
   connect(&traces_, &JobSlot::failed, this, [this](const QString& message) {
     if (const auto asked = std::exchange(next_, std::nullopt)) asked->answer({});
@@ -108,12 +111,31 @@ void TraceFlow::addGrowing() {
        .keys = Qt::Key_PageDown,
        .menu = "edit/preview"},
       [this] { regrow_->showMore(); });
-  connect(&parts_.editing, &Editing::hintChanged, this, [this, fewer, more] {
+  QAction* take =
+      parts_.actions.add({.id = "take_branch",
+                          .text = tr("Take This Branch"),
+                          .help = tr("Takes the branch that is proposed, and goes on to the next"),
+                          .keys = QKeySequence(Qt::SHIFT | Qt::Key_Enter),
+                          .refusal = Refusal::atPointer,
+                          .menu = "edit/preview"},
+                         [this] { regrow_->takeCurrent(); });
+  QAction* drop = parts_.actions.add(
+      {.id = "drop_branch",
+       .text = tr("Drop This Branch"),
+       .help = tr("Leaves out the branch that is proposed and what it would carry, and goes on to "
+                  "the next"),
+       .keys = QKeySequence(Qt::SHIFT | Qt::Key_Backspace),
+       .refusal = Refusal::atPointer,
+       .menu = "edit/preview"},
+      [this] { regrow_->dropCurrent(); });
+  connect(&parts_.editing, &Editing::hintChanged, this, [this, fewer, more, take, drop] {
     const bool isShown = parts_.editing.currentTool() == "regrow";
     fewer->setEnabled(isShown && regrow_->canShowFewer());
     more->setEnabled(isShown && regrow_->canShowMore());
+    take->setEnabled(isShown && regrow_->canChoose());
+    drop->setEnabled(isShown && regrow_->canChoose());
   });
-  for (QAction* action : {fewer, more})
+  for (QAction* action : {fewer, more, take, drop})
     action->setEnabled(false);
   const auto refresh = [this, missing, chosen] {
     const PlantDocument& document = parts_.document;
@@ -248,6 +270,17 @@ void TraceFlow::growFromPoints() {
   parts_.jobs.start(tr("Growing a branch"), grow, [this](std::vector<GrownBranch> grown) {
     show(std::move(grown), tr("New branch from points"), 0);
   });
+}
+
+/// Shows a branch that is proposed, with some of what is around it, from its best side.
+void TraceFlow::lookAt(const std::vector<Eigen::Vector3d>& places) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& place : places)
+    box.extend(place);
+  const double margin =
+      std::max(box.diagonal().norm() / 2, 2 * meanEdgeLength(parts_.document.skeleton()));
+  PlantView& view = parts_.editing.activeView();
+  view.flyTo(view.cameraToSee({.nodes = {}, .places = places, .margin = margin}));
 }
 
 void TraceFlow::show(std::vector<GrownBranch> branches, const QString& text, double least) {

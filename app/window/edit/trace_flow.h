@@ -57,6 +57,7 @@ private:
   void regrow(NodeId node);
   void regrowMissing();
   void growFromPoints();
+  void lookAt(const std::vector<Eigen::Vector3d>& places);
   /// @param least length of the shortest branch that is shown at first [L]
   void show(std::vector<GrownBranch> branches, const QString& text, double least);
 

@@ -213,6 +213,58 @@ TEST_F(TraceWindowTest, PagesThroughTheMissingBranchesByTheirLength) {
   EXPECT_EQ(document().skeleton(), before_);
 }
 
+TEST_F(TraceWindowTest, WalksTheMissingBranchesByKeys) {
+  const auto shown = [&] { return window().statusLine().shownText().section(' ', 0, 0).toInt(); };
+  const Camera before = view().camera();
+  EXPECT_FALSE(action("take_branch").isEnabled());
+  key(Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
+  waitForJob();
+  ASSERT_TRUE(waitForPreview());
+  const int all = shown();
+  ASSERT_GT(all, 1);
+  ASSERT_TRUE(action("take_branch").isEnabled());
+  EXPECT_NE(view().camera(), before) << "the first is shown";
+  key(Qt::Key_Return, Qt::ShiftModifier);
+  for (int i = 1; i < all; ++i) {
+    EXPECT_EQ(document().skeleton(), before_) << "changed before all are chosen";
+    key(Qt::Key_Backspace, Qt::ShiftModifier);
+  }
+  EXPECT_FALSE(action("take_branch").isEnabled());
+  const Skeleton& plant = document().skeleton();
+  EXPECT_GT(plant.size(), before_.size());
+  const auto ids = plant.ids();
+  EXPECT_EQ(std::ranges::count_if(ids, [&](NodeId id) { return plant.children(id).empty(); }), 2)
+      << "the trunk, and the branch that was taken";
+  EXPECT_TRUE(action("tool_move").isChecked());
+  expectUndone();
+}
+
+TEST_F(TraceWindowTest, LeavesTheWalkOfMissingBranchesOnEscape) {
+  key(Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
+  waitForJob();
+  ASSERT_TRUE(waitForPreview());
+  key(Qt::Key_Return, Qt::ShiftModifier);
+  key(Qt::Key_Escape);
+  EXPECT_EQ(document().skeleton(), before_);
+  EXPECT_FALSE(document().undoStack().canUndo());
+  EXPECT_FALSE(action("drop_branch").isEnabled());
+}
+
+TEST_F(TraceWindowTest, BeginsATraceWhereItsPointsLeaveTheTrunk) {
+  key(Qt::Key_L);
+  click(atNode(0.5));
+  click(at({0.76, 0, 1.57}));
+  ASSERT_TRUE(waitForPreview());
+  key(Qt::Key_Return);
+  const Skeleton& plant = document().skeleton();
+  const auto ids = plant.ids();
+  const auto branch = std::ranges::find_if(
+      ids, [&](NodeId id) { return plant[id].parent && plant[id].edge == EdgeType::branching; });
+  ASSERT_NE(branch, ids.end());
+  EXPECT_NEAR(plant[*plant[*branch].parent].position.z(), 1, 0.1) << "and not at the click";
+  expectUndone();
+}
+
 TEST_F(TraceWindowTest, DropsTheMissingBranchesOnEscape) {
   action("regrow_missing").trigger();
   waitForJob();

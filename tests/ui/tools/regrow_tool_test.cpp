@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/skeleton/axes.h"
 #include "tests/support/plants.h"
 #include "tests/ui/tools/mouse.h"
 #include "tests/ui/tools/quiet_canvas.h"
@@ -131,6 +132,85 @@ TEST_F(RegrowToolTest, ShowsAllBranchesAtMostAndOneAtLeast) {
   tool.cancel();
   EXPECT_FALSE(tool.canShowFewer());
   EXPECT_FALSE(tool.canShowMore());
+}
+
+TEST_F(RegrowToolTest, WalksSeveralBranchesOneByOne) {
+  document.openSkeleton(test::stick(11), "stick.mtg");
+  std::vector<std::vector<Eigen::Vector3d>> reached;
+  QObject::connect(&tool, &RegrowTool::reached, &document,
+                   [&](const std::vector<Eigen::Vector3d>& places) { reached.push_back(places); });
+  tool.show({{NodeId{1}, test::stick(5)}, {NodeId{2}, test::stick(4)}, {NodeId{3}, test::stick(3)}},
+            "Regrow");
+  ASSERT_EQ(reached.size(), 1U) << "the first at once";
+  EXPECT_EQ(reached[0].size(), 5U) << "the longest";
+  EXPECT_EQ(canvas.preview.lines.size(), 9U);
+  EXPECT_EQ(canvas.preview.nodes.size(), 4U) << "of the one that is to be chosen";
+  EXPECT_TRUE(tool.canChoose());
+  tool.takeCurrent();
+  ASSERT_EQ(reached.size(), 2U);
+  EXPECT_EQ(reached[1].size(), 4U);
+  tool.dropCurrent();
+  EXPECT_EQ(canvas.preview.lines.size(), 6U) << "what is dropped is shown no more";
+  EXPECT_EQ(document.skeleton().size(), 11U) << "nothing is made before the last";
+  tool.takeCurrent();
+  EXPECT_FALSE(tool.hasPreview());
+  EXPECT_EQ(document.skeleton().size(), 11U + 4 + 2);
+  EXPECT_EQ(document.undoStack().count(), 1) << "all that was taken is one step";
+  document.undoStack().undo();
+  EXPECT_EQ(document.skeleton().size(), 11U);
+}
+
+TEST_F(RegrowToolTest, TakesAllButWhatWasDropped) {
+  document.openSkeleton(test::stick(11), "stick.mtg");
+  tool.show({{NodeId{1}, test::stick(5)}, {NodeId{2}, test::stick(4)}, {NodeId{3}, test::stick(3)}},
+            "Regrow");
+  tool.dropCurrent();
+  tool.accept();
+  EXPECT_EQ(document.skeleton().size(), 11U + 3 + 2);
+}
+
+TEST_F(RegrowToolTest, LeavesTheWalkWithNothingChanged) {
+  const QSignalSpy finished(&tool, &Tool::finished);
+  const auto start = [&] {
+    tool.show({{test::forkTop, test::stick(3)}, {NodeId{2}, test::stick(2)}}, "Regrow");
+  };
+  start();
+  tool.takeCurrent();
+  mouse.escape();
+  EXPECT_EQ(document.skeleton(), before);
+  start();
+  tool.dropCurrent();
+  tool.dropCurrent();
+  EXPECT_EQ(document.skeleton(), before) << "all were dropped";
+  EXPECT_FALSE(tool.hasPreview());
+  EXPECT_FALSE(document.undoStack().canUndo());
+  EXPECT_EQ(finished.size(), 2);
+}
+
+TEST_F(RegrowToolTest, ChoosesNothingWhereOneBranchIsProposed) {
+  tool.show({{test::forkTop, test::stick(3)}}, "Regrow");
+  EXPECT_FALSE(tool.canChoose());
+  tool.takeCurrent();
+  tool.dropCurrent();
+  EXPECT_TRUE(tool.hasPreview());
+}
+
+// The axis of the root of the fork carries a branch: dropped with it, or alone.
+TEST_F(RegrowToolTest, WalksTheAxesOfWhatANodeIsToCarry) {
+  const Skeleton part = test::fork(3);
+  ASSERT_EQ(axes(part).size(), 3U);
+  tool.show(test::forkTop, part);
+  tool.takeCurrent();
+  tool.dropCurrent();
+  tool.takeCurrent();
+  const std::size_t dropped = axes(part)[1].size();
+  EXPECT_EQ(document.skeleton().size(), 2 + part.size() - 1 - dropped);
+  document.undoStack().undo();
+  EXPECT_EQ(document.skeleton(), before);
+  tool.show(test::forkTop, part);
+  tool.dropCurrent();
+  EXPECT_FALSE(tool.hasPreview()) << "it carries the others";
+  EXPECT_EQ(document.skeleton(), before);
 }
 
 TEST_F(RegrowToolTest, AddsNothingIfANodeIsGoneMeanwhile) {

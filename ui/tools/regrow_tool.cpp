@@ -60,8 +60,8 @@ std::vector<Eigen::Vector3d> placesOf(const Skeleton& part) {
 QString RegrowTool::walkHint() const {
   const std::optional<std::size_t> at = current();
   if (!at) return tr("Enter accepts, Esc drops");
-  return tr("%1: %2 long   {take_branch} takes it   {drop_branch} drops it   Enter takes all, Esc "
-            "drops all")
+  return tr("%1: %2 long   {take_branch} takes it   {drop_branch} drops it   Enter: all   "
+            "Esc: none")
       .arg(formatCount(*at + 1), formatLength(proposals_[*at].length, document().unit(), 3));
 }
 

@@ -83,6 +83,14 @@ Skeleton treeAlong(const PointCloud& cloud, const std::vector<Eigen::Index>& poi
   const Eigen::Vector3d otherEnd = graph.farthestFrom(end);
   Skeleton tree;
   if (end == otherEnd) return tree;
+  if (points.size() < fewestPoints) { // their course is that of chance
+    const NodeId first = tree.add({.position = end});
+    tree.add({.position = otherEnd, .parent = first});
+    const double radius = meanDistance(cloud, points, tree);
+    for (const NodeId id : tree.ids())
+      tree.setRadius(id, radius);
+    return tree;
+  }
   const double step = std::min(edge, (end - otherEnd).norm() / 2);
   const Trace trace =
       graph.between({end}, {otherEnd}, {.step = step, .alternatives = 0}, progress.part(0.5, 0.6))

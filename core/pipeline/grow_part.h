@@ -49,7 +49,7 @@ struct PointByFrustum {
                                  const PipelineOptions& options, const Progress& progress = {});
 
 /// Nodes along some points of a cloud: a trace from end to end of them, and one for each branch of
-/// 6 spacings or more off it, at most 50.
+/// 6 spacings or more off it, at most 50. Of fewer than 20 points, a straight line.
 /// @param points  columns, ascending; not empty
 /// @param start   [L], frame of the file: where the points are meant
 /// @param edge    [L] wanted length of edges, > 0; shorter in bends

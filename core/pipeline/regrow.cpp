@@ -51,15 +51,11 @@ bool isUnbranched(const Skeleton& skeleton) {
                              [&](NodeId id) { return skeleton.children(id).size() <= 1; });
 }
 
-/// Connected points; columns of the cloud, ascending.
-using Piece = std::vector<Eigen::Index>;
-
-/// Those of the points that are connected with the one nearest to the node, and pieces of them that
-/// go on ahead over gaps: what was found is nearer to them than all other wood.
-/// @throws Error if there is none near the node, or they are too few
-std::vector<Piece> piecesAt(const Skeleton& skeleton, NodeId node, const PointCloud& cloud,
-                            const std::vector<Eigen::Index>& points, double widestGap, double ahead,
-                            const Progress& progress) {
+/// Those of the points that are connected with the one nearest to the node.
+/// @throws Error if there is none near it, or they are too few
+std::vector<Eigen::Index> pointsAt(const Skeleton& skeleton, NodeId node, const PointCloud& cloud,
+                                   const std::vector<Eigen::Index>& points, double widestGap,
+                                   const Progress& progress) {
   const Error nothing("no points around " + nameOf(node) +
                       " are left by the rest of the plant: choose another node");
   if (points.size() < fewestChosen) throw Error(nothing);
@@ -67,63 +63,16 @@ std::vector<Piece> piecesAt(const Skeleton& skeleton, NodeId node, const PointCl
   const Eigen::Vector3f place = (skeleton[node].position - cloud.origin()).cast<float>();
   const Eigen::Index first = nearestPoint(positions, place);
   const double reach = 2 * skeleton[node].radius + widestGap + meanEdgeLength(skeleton);
-  if (static_cast<double>((positions.col(first) - place).norm()) > std::max(reach, ahead))
-    throw Error(nothing);
-  const NeighborhoodGraph parts(positions, partLinks, progress.part(0, 0.5));
+  if (static_cast<double>((positions.col(first) - place).norm()) > reach) throw Error(nothing);
+  const NeighborhoodGraph parts(positions, partLinks, progress.part(0, 0.7));
   const auto gap = static_cast<float>(widestGap);
-  const NeighborhoodGraph graph = joined(parts, positions, gap, progress.part(0.5, 0.7));
-  const std::vector<bool> isCarried = carriedBy(skeleton, node);
-  const EdgeIndex wood(bodiesOf(skeleton));
-  const auto isOther = [&](NodeId id) { return id != node && !isCarried[indexOf(id)]; };
+  std::vector<Eigen::Index> together;
   std::vector<bool> isMet(points.size(), false);
-  std::vector<Piece> pieces;
-  std::vector<Eigen::Index> found; // all of them, columns of positions
-  const auto take = [&](Eigen::Index point) {
-    Piece piece = pointsLinkedTo(graph, point, gap, isMet);
-    if (piece.size() < fewestChosen) return;
-    found.insert(found.end(), piece.begin(), piece.end());
-    for (Eigen::Index& each : piece)
-      each = points[static_cast<std::size_t>(each)];
-    pieces.push_back(std::move(piece));
-  };
-  take(first);
-  constexpr int mostPieces = 20; // of a branch
-  for (int i = 0; i < mostPieces && !found.empty(); ++i) {
-    progress.check();
-    const Eigen::Matrix3Xf ofFound = positions(Eigen::all, found);
-    const SpatialIndex index(ofFound);
-    double least = ahead;
-    std::optional<Eigen::Index> next; // where the nearest piece is met
-    for (Eigen::Index point = 0; point < positions.cols(); ++point) {
-      if (isMet[static_cast<std::size_t>(point)]) continue;
-      const auto near = index.nearestOne(positions.col(point), static_cast<float>(least));
-      if (!near) continue;
-      const double apart = std::sqrt(static_cast<double>(near->squaredDistance));
-      const Eigen::Vector3d there = positions.col(point).cast<double>() + cloud.origin();
-      if (apart >= least || wood.distanceToSurface(there, isOther) <= apart) continue;
-      least = apart;
-      next = point;
-    }
-    if (!next) break;
-    take(*next);
-  }
-  if (pieces.empty()) throw Error(nothing);
-  return pieces;
-}
-
-/// The trees that grow of all pieces.
-Skeleton grownOf(const std::vector<Piece>& pieces, const auto& grow) {
-  Skeleton all;
-  for (const Piece& piece : pieces) {
-    const Skeleton grown = grow(piece);
-    std::vector<NodeId> copies(grown.idEnd());
-    for (const NodeId id : grown.ids()) {
-      Node copy = grown[id];
-      if (copy.parent) copy.parent = copies[indexOf(*copy.parent)];
-      copies[indexOf(id)] = all.add(copy);
-    }
-  }
-  return all;
+  for (const Eigen::Index found :
+       pointsLinkedTo(joined(parts, positions, gap, progress.part(0.7, 1)), first, gap, isMet))
+    together.push_back(points[static_cast<std::size_t>(found)]);
+  if (together.size() < fewestChosen) throw Error(nothing);
+  return together;
 }
 
 } // namespace
@@ -140,30 +89,20 @@ Skeleton regrown(const Skeleton& skeleton, NodeId node,
   const std::vector<bool> isCarried = carriedBy(skeleton, node);
   const std::vector<Eigen::Index> left = freePoints(skeleton, *cloud, options.pipeline.leftOut,
                                                     tolerance, isCarried, progress.part(0, 0.3));
-  const double ahead = widestAhead * whole.spacing;
-  const std::vector<Piece> pieces =
-      piecesAt(skeleton, node, *cloud, left, widestGap, ahead, progress.part(0.3, 0.5));
-  std::vector<Eigen::Index> points;
-  for (const Piece& piece : pieces)
-    points.insert(points.end(), piece.begin(), piece.end());
-  std::ranges::sort(points);
+  const std::vector<Eigen::Index> points =
+      pointsAt(skeleton, node, *cloud, left, widestGap, progress.part(0.3, 0.5));
   const Skeleton before = partOf(skeleton, node);
   const bool isChain = before.size() > 1 && isUnbranched(before);
   const double mean = meanEdgeLength(isChain ? before : skeleton);
   const double edge = mean > 0 ? mean : 9 * whole.spacing;
   const Eigen::Vector3d& foot = skeleton[node].position;
-  std::vector<Skeleton> candidates = {grownOf(pieces, [&](const Piece& piece) {
-    return grownOrTraced(*cloud, piece, foot, whole, options.pipeline, edge,
-                         progress.part(0.5, 0.9));
-  })};
+  std::vector<Skeleton> candidates = {
+      grownOrTraced(*cloud, points, foot, whole, options.pipeline, edge, progress.part(0.5, 0.9))};
   if (isChain)
-    candidates.push_back(grownOf(pieces, [&](const Piece& piece) {
-      return treeAlong(*cloud, piece, foot, edge, progress.part(0.9, 0.95));
-    }));
+    candidates.push_back(treeAlong(*cloud, points, foot, edge, progress.part(0.9, 0.95)));
   const AttachOptions attach{.spacing = whole.spacing,
                              .widestGap = widestGap,
-                             .widestJoin = widestGap + meanEdgeLength(skeleton),
-                             .widestAhead = ahead};
+                             .widestJoin = widestGap + meanEdgeLength(skeleton)};
   Skeleton best;
   double least = unbounded;
   for (const Skeleton& candidate : candidates) {

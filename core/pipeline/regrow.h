@@ -16,11 +16,11 @@ struct RegrowOptions {
 /// What a node carries, reconstructed again from the points that the rest of the plant leaves.
 ///
 /// These are the points nearest to an edge of what it carries now, and those that no edge explains,
-/// as far as they are connected with the points at the node, or go on straight over gaps of up to
-/// 30 spacings. All steps of the pipeline run on them, with the settings that its rules give for
-/// the whole scan, so that what grows looks like the rest; or branches are traced along them, where
-/// that follows them as well, with edges as long as there were. No new node is thicker than `node`,
-/// if that has a radius, and none turns back sharply.
+/// as far as they are connected with the points at the node. All steps of the pipeline run on them,
+/// with the settings that its rules give for the whole scan, so that what grows looks like the
+/// rest; or branches are traced along them, where that follows them as well, with edges as long as
+/// there were. No new node is thicker than `node`, if that has a radius, and none turns back
+/// sharply.
 ///
 /// @param skeleton with radii, in the frame of the file; contains `node`
 /// @return one tree: its root stands for `node`, at its place; the others are new

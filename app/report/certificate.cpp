@@ -31,6 +31,10 @@ ReportWarnings warningsOf(const Seal& seal) {
     warnings.lines.append(
         ReportText::tr("%1 of %2 nodes were marked as reviewed in bulk")
             .arg(formatCount(seal.review->inBulk.nodes), formatCount(seal.nodes)));
+  if (seal.review && seal.review->before.nodes > 0)
+    warnings.lines.append(
+        ReportText::tr("%1 of %2 nodes were reviewed before the plant was opened")
+            .arg(formatCount(seal.review->before.nodes), formatCount(seal.nodes)));
   return warnings;
 }
 
@@ -95,12 +99,12 @@ Report certificate(const Seal& seal, const ReportPictures& pictures,
                 .facts = {about.plant.name, ReportText::tr("Espalier %1").arg(about.version)},
                 .sections = {}};
   ReportSection statement{ReportText::tr("Signed by %1").arg(signatureOf(seal)), {}};
-  const bool isInBulk = seal.review && seal.review->inBulk.nodes > 0;
   statement.blocks.emplace_back(ReportParagraph{
-      isInBulk ? ReportText::tr("To the signer's knowledge this structure is right, also what was "
-                                "marked in bulk.")
-               : ReportText::tr("The signer has looked at all of this structure, and to their "
-                                "knowledge it is right.")});
+      seal.isAllLookedAt()
+          ? ReportText::tr("The signer has looked at all of this structure, and to their knowledge "
+                           "it is right.")
+          : ReportText::tr("To the signer's knowledge this structure is right, also where they did "
+                           "not look closely.")});
   if (ReportWarnings warnings = warningsOf(seal); !warnings.lines.isEmpty())
     statement.blocks.emplace_back(std::move(warnings));
   if (ReportFigures shown = figures(pictures); !shown.figures.empty())

@@ -131,9 +131,7 @@ void MainWindow::makeReview() {
   parts_.make<SealFlow>(SealFlow::Parts{
       document_, *actions_, parts_.get<ProjectFlow>(), jobs_, *banner_, *this,
       [this](ToSeal& from) {
-        const auto& findings = parts_.get<FindingsFlow>();
-        from.limits = findings.limits();
-        from.findings = findings.allKnown();
+        from.limits = parts_.get<FindingsFlow>().limits();
         const auto& reference = parts_.get<ReferenceFlow>();
         from.reference = reference.skeleton();
         from.referenceName = reference.name().toStdString();

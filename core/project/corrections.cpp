@@ -15,12 +15,15 @@ std::size_t countRemoved(const SkeletonDelta& delta) {
       delta.changes, [](const SkeletonDelta::Change& change) { return !change.after; }));
 }
 
-/// The place behind the last step that left no earlier node; 0: none did.
+/// The place behind the last step that made the whole plant anew: it left no earlier node, and is
+/// no stroke by which one begins to draw. 0: none did.
 std::size_t firstCorrection(std::span<const HistoryStep> done, std::size_t size) {
   for (std::size_t i = done.size(); i-- > 0;) {
     const std::size_t added = countAdded(done[i].delta);
-    if (added == size && added > 0) return i + 1;
-    size = size + countRemoved(done[i].delta) - added;
+    const std::size_t removed = countRemoved(done[i].delta);
+    const bool isRun = removed > 0 || done[i].replacesContracted;
+    if (added == size && added > 0 && isRun) return i + 1;
+    size = size + removed - added;
   }
   return 0;
 }

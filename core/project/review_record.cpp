@@ -38,8 +38,8 @@ ReviewRecord reviewRecord(std::span<const HistoryStep> done, const Skeleton& ske
     for (const SkeletonDelta::Change& change : step->delta.changes) {
       const std::size_t at = indexOf(change.id);
       if (!skeleton.contains(change.id)) continue;
-      if (change.after && change.after->review.state == ReviewState::doubtful)
-        wasDoubted[at] = true;
+      for (const std::optional<Node>& node : {change.before, change.after})
+        if (node && node->review.state == ReviewState::doubtful) wasDoubted[at] = true;
       if (!isOpen[at] || !isReviewed(change.after) || isReviewed(change.before)) continue;
       isOpen[at] = false;
       marked.push_back(change.id);

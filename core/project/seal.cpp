@@ -82,7 +82,7 @@ Json jsonOf(const std::optional<SealedAgreement>& agreement) {
           {"precision", agreement->precision},
           {"recall", agreement->recall},
           {"f", agreement->f},
-          {"structural", agreement->structural}};
+          {"structural", agreement->structural ? Json(*agreement->structural) : Json(nullptr)}};
 }
 
 std::optional<SealedAgreement> agreementFrom(const Json& json) {
@@ -93,7 +93,9 @@ std::optional<SealedAgreement> agreementFrom(const Json& json) {
                          .precision = number("precision"),
                          .recall = number("recall"),
                          .f = number("f"),
-                         .structural = number("structural")};
+                         .structural = json.at("structural").is_null()
+                                           ? std::nullopt
+                                           : std::optional(number("structural"))};
 }
 
 Json jsonOf(const SealedState& state) {

@@ -14,9 +14,10 @@ namespace espalier {
 
 /// How a structure agrees with another, by scores of evaluation (core/evaluate/scores.h).
 struct SealedAgreement {
-  std::string with;                                        // name of the other
-  double distance = 0;                                     // [L], what is called near
-  double precision = 0, recall = 0, f = 0, structural = 0; // the last is T
+  std::string with;                        // name of the other
+  double distance = 0;                     // [L], what is called near
+  double precision = 0, recall = 0, f = 0; // 0 where no length is near
+  std::optional<double> structural = {};   // T; none: no segments match
 
   bool operator==(const SealedAgreement&) const = default;
 };
@@ -46,6 +47,11 @@ struct Seal {
   std::uint64_t hash = 0;             // StructureHash of what was signed
   std::optional<ReviewRecord> review; // none, as of `state`: it was signed by an older program
   std::optional<SealedState> state;
+
+  /// Whether all was marked in steps of no more than one looks at in one go.
+  [[nodiscard]] bool isAllLookedAt() const {
+    return review && review->inBulk.nodes == 0 && review->before.nodes == 0;
+  }
 
   bool operator==(const Seal&) const = default;
 };

@@ -16,10 +16,10 @@ SignDialog::SignDialog(const Seal& draft, LengthUnit unit, const QString& signer
   setObjectName("sign");
   setWindowTitle(tr("Sign Structure"));
   signer_->setObjectName("signer");
-  const bool isInBulk = draft.review && draft.review->inBulk.nodes > 0;
   auto* statement = new QLabel(
-      isInBulk ? tr("To my knowledge this structure is right, also what I marked in bulk.")
-               : tr("I have looked at all of this structure, and to my knowledge it is right."),
+      draft.isAllLookedAt()
+          ? tr("I have looked at all of this structure, and to my knowledge it is right.")
+          : tr("To my knowledge this structure is right, also where I did not look closely."),
       this);
   statement->setWordWrap(true);
   statement->setProperty("role", "title");

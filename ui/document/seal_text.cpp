@@ -28,7 +28,8 @@ QString agreementText(const SealedAgreement& agreement, LengthUnit unit) {
   const auto share = [](double value) { return numberText(value, 3); };
   return SealText::tr("F %1 within %2 (precision %3, recall %4), T %5")
       .arg(share(agreement.f), formatLength(agreement.distance, unit, 2),
-           share(agreement.precision), share(agreement.recall), share(agreement.structural));
+           share(agreement.precision), share(agreement.recall),
+           agreement.structural ? share(*agreement.structural) : QStringLiteral("–"));
 }
 
 QString unexplainedText(const SealedState& state) {

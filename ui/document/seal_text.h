@@ -19,7 +19,7 @@ struct SealRow {
 /// is not known is left out.
 [[nodiscard]] std::vector<SealRow> sealRows(const Seal& seal, LengthUnit unit);
 
-/// "12 open: 10 bare twigs, 2 sharp turns; 3 ignored" or "none is open"
+/// "12 open (bare twigs: 10, sharp turns: 2); 3 ignored" or "none is open"
 [[nodiscard]] QString findingsText(const SealedState& state);
 
 /// "Anna on 21 Nov 2026, 14:05", in the time of the place

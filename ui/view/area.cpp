@@ -73,6 +73,7 @@ std::vector<Eigen::Index> pointsInside(const Scene& scene, const ScreenMap& scre
   const ScreenPart part(screen, scene.origin(), area.boundingRect());
   if (part.box().isEmpty()) return found;
   const ClipVolume clip = scene.clipVolume(screen.camera());
+  const FocusDepths focus = scene.focusDepths(screen.camera());
   const AreaMask mask(area, part.box());
   std::optional<Visibility> visibility;
   if (depth == Depth::front) visibility.emplace(scene, screen, part.box());
@@ -86,7 +87,8 @@ std::vector<Eigen::Index> pointsInside(const Scene& scene, const ScreenMap& scre
           if (!part.isBeforeEye(at) || !mask.contains(at.pixel)) continue;
           if (!scene.isPointShown(i) || !clip.contains(scene.points.positions->col(i))) continue;
           const Eigen::Vector2d pixel = (at.pixel + corner).cast<double>();
-          if (visibility && visibility->hidesPoint({pixel, at.depth})) continue;
+          if (visibility && (focus.isPassed(at.depth) || visibility->hidesPoint({pixel, at.depth})))
+            continue;
           found.push_back(i);
         }
       });

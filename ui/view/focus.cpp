@@ -48,6 +48,10 @@ FocusDepths::FocusDepths(const Focus& focus, double strength, const Camera& came
   const double shown = camera.projection == Projection::perspective // at that depth
                            ? 2 * camera.halfHeight() * depth / camera.distance
                            : 2 * camera.halfHeight();
+  const Eigen::Vector3d beside = focus.box.center() - camera.eye() - middle * camera.forward();
+  const bool isPerspective = camera.projection == Projection::perspective;
+  constexpr double widest = 1.5; // heights of the screen from its middle
+  if ((isPerspective && middle <= 0) || beside.norm() > widest * shown + across) return;
   constexpr double least = 1 / 12.0, whole = 1 / 5.0; // of the height of the screen
   const double share = across / shown;
   strength_ = strength * std::clamp((share - least) / (whole - least), 0.0, 1.0);

@@ -28,7 +28,8 @@ struct Focus {
 /// How far things step back by their depth, as seen from a camera.
 ///
 /// All of the way where the focus is a fifth of the height of the screen or more; less as one moves
-/// away from it, and not at all under a twelfth: there one looks at the plant again.
+/// away from it, and not at all under a twelfth, nor where it is behind the eye or beside what is
+/// seen: there one looks at the plant again.
 class FocusDepths {
 public:
   FocusDepths() = default; // nothing steps back
@@ -37,10 +38,13 @@ public:
 
   /// How far a depth [L] is stepped back, in [0, 1].
   [[nodiscard]] double outOfFocus(double depth) const;
-  /// Whether a place hides nothing of what is in focus, though it is before it: it is drawn behind.
+  /// Whether a place hides nothing of what is in focus, though it is before it: it is drawn behind
+  /// all, and not picked. Nothing is where hardly anything is pale.
   [[nodiscard]] bool isPassed(double depth) const {
-    return depth < nearest_ && outOfFocus(depth) >= 0.5 * strength_ && strength_ > 0;
+    return strength_ >= leastPassed && depth < nearest_ &&
+           outOfFocus(depth) >= 0.5 * strength_; // as isPassed() of focus_shader.h
   }
+  static constexpr double leastPassed = 0.3; // strength
   /// Nearest and farthest depth in focus, over which depth things step back, and how far: for
   /// shaders (focus_shader.h).
   [[nodiscard]] Eigen::Vector4f forShaders() const;

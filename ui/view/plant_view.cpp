@@ -157,7 +157,7 @@ void PlantView::hoverAgain() {
 }
 
 void PlantView::frameAll() {
-  focusOff();
+  if (parts_->isFirst()) focusOff(); // another view leaves the first where it is
   const std::vector<Eigen::Vector3d> places = parts_->scene.outline();
   if (!places.empty()) parts_->frame(places, *this);
 }
@@ -171,7 +171,7 @@ void PlantView::faceAll() {
 }
 
 void PlantView::frame(const Eigen::AlignedBox3d& box) {
-  focusOff();
+  if (parts_->isFirst()) focusOff();
   if (!box.isEmpty()) parts_->frame(box, *this);
 }
 

@@ -112,7 +112,9 @@ void PlantView::Parts::spanSeen() {
   if (!isFirst()) return;
   const std::optional<ValueRange> now = scene.seenRange;
   const std::optional<ValueRange> seen =
-      shared->doColorsSpanSeen ? seenRange(scene, pointer.screen()) : std::nullopt;
+      shared->doColorsSpanSeen && shared->views.size() == 1 // else all have the same colors
+          ? seenRange(scene, pointer.screen())
+          : std::nullopt;
   if (!now && !seen) return;
   constexpr double little = 0.15; // of the range
   if (now && seen) {

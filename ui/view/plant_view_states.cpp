@@ -56,6 +56,8 @@ SeenSides PlantView::Shared::seenSides() const {
 
 QImage PlantView::pictureOf(const PlantState& state, const QSize& size, Framing framing) const {
   Scene scene = parts_->scene;
+  scene.setFocus(std::nullopt);
+  if (framing == Framing::whole) scene.setSeenRange(std::nullopt);
   scene.setOther(Side::left, state);
   return parts_->bare(scene, size, framing);
 }

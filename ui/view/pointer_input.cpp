@@ -177,6 +177,7 @@ void PointerInput::pickPoint(Pick& pick, const ScreenMap& map, const Eigen::Vect
                              [&](Eigen::Index i) {
                                return scene_.isContractedShown(i) &&
                                       clip.contains(contracted.positions->col(i)) &&
+                                      !isPassed(placeIn(contracted, i)) &&
                                       scene_.showsPlant(placeIn(contracted, i), across, divider_);
                              }},
                             origin, map, pixel);
@@ -197,6 +198,7 @@ void PointerInput::pickPoint(Pick& pick, const ScreenMap& map, const Eigen::Vect
                   [&](Eigen::Index i) {
                     const auto column = static_cast<std::size_t>(i);
                     return scene_.isPointShown(other.points.empty() ? i : other.points[column]) &&
+                           !isPassed(placeIn(other.contracted, i)) &&
                            clip.contains(other.contracted.positions->col(i));
                   }},
                  origin, map, pixel);

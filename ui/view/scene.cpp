@@ -57,7 +57,9 @@ void Scene::setLeftOut(const PointSet& aside) {
   if (aside == leftOut) return;
   leftOut = aside;
   measurePlant();
+  const std::optional<ValueRange> seen = seenRange; // still seen, but for a few points
   setPointColor(pointColor);
+  seenRange = seen;
 }
 
 void Scene::measurePlant() {

@@ -12,12 +12,13 @@ std::optional<ValueRange> seenRange(const Scene& scene, const ScreenMap& screen)
   constexpr Eigen::Index most = 300'000;
   constexpr std::size_t fewest = 50; // points that say anything
   constexpr double closeUp = 1 / 1.5;
-  if (!scene.cloud || scene.pointValues || !scene.colorLegend || !scene.points.visible)
+  if (!scene.cloud || scene.points.size() == 0 || scene.pointValues || !scene.colorLegend ||
+      !scene.points.visible)
     return std::nullopt;
   const ScreenPart part(screen, scene.origin(), QRectF(0, 0, screen.size().x(), screen.size().y()));
   const ClipVolume clip = scene.clipVolume(screen.camera());
   const FocusDepths focus = scene.focusDepths(screen.camera());
-  const Eigen::Index step = std::max<Eigen::Index>(scene.points.size() / most, 1);
+  const Eigen::Index step = (scene.points.size() + most - 1) / most;
   std::vector<double> values;
   for (Eigen::Index i = 0; i < scene.points.size(); i += step) {
     const Eigen::Vector3f at = scene.points.positions->col(i);

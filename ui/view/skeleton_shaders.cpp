@@ -167,7 +167,7 @@ void main() {
                        : dressed(look.x > 1.5 ? branchingColor : successorColor, own, look.z,
                             0.5 * (a.z + b.z));
   float depth = -0.5 * (a.z + b.z);
-  back = depth < focus.x ? outside(look.z, depth) : 0.0;
+  back = look.z < 1.5 && isPassed(depth) ? 1.0 : 0.0;
   clipAt(atChild ? child.xyz : parent.xyz, -place.z);
   gl_Position = toClip * vec4(place + sideways / size * across * radius, 1.0);
 })";
@@ -242,7 +242,7 @@ void main() {
   float nearer = spheres != 0 ? 0.0 : pushed * center.w + pixel * (4.0 + 8.0 * float(mark));
   vec4 moved = toClip * vec4(place.xy, place.z + nearer, 1.0);
   float depth = moved.w > 0.0 ? moved.z / moved.w : -1.0;
-  back = -place.z < focus.x && mark == 0 ? outside(look.w, -place.z) : 0.0;
+  back = look.w < 1.5 && mark == 0 && isPassed(-place.z) ? 1.0 : 0.0;
   gl_Position = vec4(clip.xy + offset / halfScreen * clip.w,
                      mix(max(depth, -1.0), 0.9995, back) * clip.w, clip.w);
 })";

@@ -20,7 +20,7 @@ constexpr double noise = 3;         // how thick a surface of points is, in thei
 
 Visibility::Visibility(const Scene& scene, const ScreenMap& screen, const QRectF& part)
     : scene_(scene), screen_(screen), part_(screen, scene.origin(), part.adjusted(-8, -8, 8, 8)),
-      clip_(scene.clipVolume(screen.camera())),
+      clip_(scene.clipVolume(screen.camera())), focus_(scene.focusDepths(screen.camera())),
       columns_(static_cast<int>(std::ceil(std::max(0.0, part_.box().width()) / cell))),
       rows_(static_cast<int>(std::ceil(std::max(0.0, part_.box().height()) / cell))),
       depths_(std::size_t(columns_) * std::size_t(rows_), std::numeric_limits<float>::infinity()) {
@@ -61,7 +61,7 @@ void Visibility::addPoints(const PointLayer& layer) {
     const int half = static_cast<int>(std::lround(std::min(cells, double(largestHalf))));
     for (Eigen::Index i = begin; i < end; ++i) {
       const ScreenPart::Place at = part_.place(layer.positions->col(i));
-      if (part_.isBeforeEye(at) && scene_.isPointShown(i) &&
+      if (part_.isBeforeEye(at) && scene_.isPointShown(i) && !focus_.isPassed(at.depth) &&
           clip_.contains(layer.positions->col(i)))
         add(at, half);
     }
@@ -92,6 +92,7 @@ void Visibility::addFrustum(const EdgeGlyph& edge) {
     const float radius = edge.parentRadius + part * (edge.childRadius - edge.parentRadius);
     if (!clip_.contains(from + part * (to - from))) continue;
     ScreenPart::Place at = part_.place(from + part * (to - from));
+    if (edge.fading != Fading::whole && focus_.isPassed(at.depth)) continue;
     const double wide = 0.9 * radius / (screen_.pixelSize(at.depth) * cell); // [cells]
     at.depth -= 0.5F * radius; // its front is between its axis and one radius before it
     add(at, static_cast<int>(std::min(wide, double(largestHalf))));

@@ -44,6 +44,7 @@ private:
   const ScreenMap& screen_;
   ScreenPart part_;
   ClipVolume clip_;
+  FocusDepths focus_; // what is drawn behind it hides nothing
   int columns_ = 0;
   int rows_ = 0;
   std::vector<float> depths_; // the least in each cell

@@ -2,9 +2,9 @@
 
 #include "app/report/write_report.h"
 #include "app/window/evaluate/reference_flow.h"
-#include "app/window/evaluate/reported_plant.h"
 #include "app/window/files/file_filters.h"
 #include "app/window/files/load_files.h"
+#include "app/window/files/reported_plant.h"
 #include "app/window/frame/action_set.h"
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/report/comparison_report.h"
-#include "app/window/evaluate/report_maker.h"
+#include "app/window/files/report_maker.h"
 #include "app/window/frame/panel_dock.h"
 #include "core/evaluate/evaluation.h"
 

@@ -1,8 +1,8 @@
 #include "app/window/evaluate/traits_flow.h"
 
-#include "app/window/evaluate/reported_plant.h"
 #include "app/window/files/file_filters.h"
 #include "app/window/files/load_files.h"
+#include "app/window/files/reported_plant.h"
 #include "app/window/frame/action_set.h"
 #include "core/base/error.h"
 #include "core/base/text.h"

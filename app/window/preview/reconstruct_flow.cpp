@@ -67,13 +67,13 @@ void ReconstructFlow::setPlantShown(bool /*isShown*/) {
   actions_["reconstruct"]->setEnabled(canRun);
 }
 
-void ReconstructFlow::start(const Step* last) {
+void ReconstructFlow::start(const Step* last, bool isConfirmed) {
+  if (!isConfirmed && document_.scan() != nullptr && asksFirst(last)) return;
   emit starting();
   if (document_.scan() == nullptr)
     throw Error(tr("there is no scan to reconstruct from: open one first").toStdString());
   document_.requireWritable();
   jobs_.requireIdle();
-  if (asksFirst(last)) return;
   PipelineOptions ofKept = panel_.options();
   ofKept.leftOut = document_.leftOut();
   isRunning_ = true;
@@ -91,30 +91,27 @@ void ReconstructFlow::start(const Step* last) {
 }
 
 bool ReconstructFlow::asksFirst(const Step* last) {
-  const bool makesSkeleton = last == nullptr || last->makes == StepResult::skeleton;
+  if (last != nullptr && last->makes < StepResult::skeleton) return false;
   const Corrections work = handWork(document_).corrections;
   const std::size_t reviewed =
       coverage(document_.skeleton()).nodes[static_cast<std::size_t>(ReviewState::reviewed)];
-  if (!makesSkeleton || std::exchange(isConfirmed_, false) || (work.edits == 0 && reviewed == 0))
-    return false;
+  if (document_.skeleton().isEmpty() || (work.edits == 0 && reviewed == 0)) return false;
   QStringList lost;
   if (work.edits == 1) lost.append(tr("1 edit by hand"));
   if (work.edits > 1) lost.append(tr("%1 edits by hand").arg(formatCount(work.edits)));
   if (reviewed > 0) lost.append(tr("marks of %1 reviewed nodes").arg(formatCount(reviewed)));
+  const auto goOn = [this, last] {
+    const auto act = [&] {
+      start(last, true);
+      return true;
+    };
+    actions_.guarded(act, Refusal::inBanner);
+  };
   emit reported({.text = tr("Reconstructing replaces the skeleton, with %1. Undo brings it back")
                              .arg(lost.join(tr(" and "))),
-                 .actions = {{tr("Reconstruct"),
-                              [this, last] {
-                                isConfirmed_ = true;
-                                actions_.guarded(
-                                    [&] {
-                                      start(last);
-                                      return true;
-                                    },
-                                    Refusal::inBanner);
-                              }},
-                             {tr("Save a Copy First…"),
-                              [this] { actions_["export_structure"]->trigger(); }}}});
+                 .actions = {{tr("Reconstruct"), goOn}, {tr("Save Project As…"), [this] {
+                                                           actions_["save_project_as"]->trigger();
+                                                         }}}});
   return true;
 }
 

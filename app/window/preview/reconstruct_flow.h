@@ -60,9 +60,9 @@ private:
   /// @param last  the step to end with; none: the last there is. Before the skeleton, the one there
   ///              is stays, and has other contracted points.
   /// @throws Error if there is no scan, or another job is running
-  void start(const Step* last = nullptr);
-  /// Says what of the work by hand would be replaced, and offers to; false: nothing, or one has
-  /// just taken the offer.
+  /// @param isConfirmed  that work by hand is replaced; else it is asked
+  void start(const Step* last = nullptr, bool isConfirmed = false);
+  /// Says what of the work by hand would be replaced, and offers to; false: nothing.
   [[nodiscard]] bool asksFirst(const Step* last);
   void show(const Reconstruction& result, const Step* last, const PipelineOptions& options,
             double seconds);
@@ -78,7 +78,6 @@ private:
   std::map<std::string, QString> notes_;     // of its steps, by name
   bool isDone_ = false;                      // it is not undone
   bool isRunning_ = false;
-  bool isConfirmed_ = false; // that work by hand is replaced
   bool isEnabled_ = true;
 };
 

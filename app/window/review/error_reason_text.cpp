@@ -41,10 +41,12 @@ public:
     case ErrorReason::Kind::findings:
       return tr("the checks find its shape unlikely");
     case ErrorReason::Kind::end:
-      return evidence_.isEnd ? tr("its end is a shoot by %1 only").arg(percent(shoot()))
-                             : tr("it bears further wood");
+      return evidence_.isEnd
+                 ? tr("its end is a shoot with a probability of %1 only").arg(percent(shoot()))
+                 : tr("it bears further wood");
     case ErrorReason::Kind::gap:
-      return tr("the gap below it is bridged otherwise by %1").arg(percent(evidence_.gap));
+      return tr("with a probability of %1, it belongs elsewhere than across the gap below it")
+          .arg(percent(evidence_.gap));
     case ErrorReason::Kind::extent:
       return tr("branches of this size are often wrong");
     case ErrorReason::Kind::radius:

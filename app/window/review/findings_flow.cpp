@@ -292,13 +292,6 @@ void FindingsFlow::list() {
   panel_->setChecking(!isAllChecked());
 }
 
-std::optional<std::vector<Finding>> FindingsFlow::allKnown() const {
-  if (!dock_->isShown() || timer_.isActive() || !isAllChecked()) return std::nullopt;
-  std::vector<Finding> all = findings_;
-  all.insert(all.end(), shownIgnored_.begin(), shownIgnored_.end());
-  return all;
-}
-
 bool FindingsFlow::isIgnored(const Finding& finding) const {
   return std::ranges::any_of(ignored_,
                              [&](const Finding& other) { return isSame(other, finding); });

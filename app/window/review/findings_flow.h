@@ -52,8 +52,6 @@ public:
   /// Those that are not ignored, as they were last found.
   [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
   [[nodiscard]] const std::vector<Finding>& ignored() const { return shownIgnored_; }
-  /// With those that are ignored, of the plant as it is; none: they are to be found.
-  [[nodiscard]] std::optional<std::vector<Finding>> allKnown() const;
   [[nodiscard]] bool isIgnored(const Finding& finding) const;
   void ignore(const Finding& finding);        // that was looked at elsewhere
   [[nodiscard]] bool isBusy() const override; // the findings are not of the plant as it is

@@ -2,10 +2,10 @@
 
 #include "app/report/certificate.h"
 #include "app/report/write_report.h"
-#include "app/window/evaluate/reported_plant.h"
 #include "app/window/files/file_filters.h"
 #include "app/window/files/load_files.h"
 #include "app/window/files/project_flow.h"
+#include "app/window/files/reported_plant.h"
 #include "app/window/frame/action_set.h"
 #include "app/window/frame/scan_distances.h"
 #include "core/base/error.h"
@@ -96,6 +96,7 @@ QString SealFlow::text() const {
 void SealFlow::sign() {
   PlantDocument& document = parts_.document;
   document.requireEditable();
+  parts_.jobs.requireIdle();
   const History history = document.history();
   static_cast<void>(signedBy("?", 0, history)); // refused before anything is found or asked
   ToSeal from{.plant = history.skeleton, .beginning = beginningOfHandWork(history)};

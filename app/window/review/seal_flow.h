@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/window/evaluate/report_maker.h"
+#include "app/window/files/report_maker.h"
 #include "app/window/frame/window_part.h"
 #include "app/window/review/sealed_facts.h"
 #include "core/project/seal.h"

@@ -30,12 +30,12 @@ SealedAgreement agreement(const QString& with, const Skeleton& result, const Ske
   ComparedPlants plants(result, reference,
                         {.tolerance = {.distances = {distance}}, .placeDistance = distance},
                         progress);
-  const auto score = [&](std::string_view key) { return scoreOf(key).compute(plants).value_or(0); };
+  const auto score = [&](std::string_view key) { return scoreOf(key).compute(plants); };
   return {.with = with.toStdString(),
           .distance = distance,
-          .precision = score("precision"),
-          .recall = score("recall"),
-          .f = score(leadingScore),
+          .precision = score("precision").value_or(0),
+          .recall = score("recall").value_or(0),
+          .f = score(leadingScore).value_or(0),
           .structural = score("structural")};
 }
 
@@ -45,7 +45,6 @@ void checkPoints(const ToSeal& from, SealedFacts& facts, const Progress& progres
   facts.state.points = distances.toSurface().size();
   facts.state.unexplained = static_cast<std::size_t>(
       std::ranges::count_if(distances.toSurface(), [&](float far) { return far > reach; }));
-  if (from.findings) return;
   const SpatialIndex index(from.points->positions(), progress);
   const std::vector<Finding> found = checkAgainstScan(from.plant, distances, index, from.spacing,
                                                       from.limits, progress.part(0.5, 1));
@@ -56,7 +55,7 @@ void checkPoints(const ToSeal& from, SealedFacts& facts, const Progress& progres
 
 SealedFacts sealedFacts(const ToSeal& from, const Progress& progress) {
   SealedFacts facts;
-  facts.findings = from.findings ? *from.findings : check(from.plant, from.spacing, from.limits);
+  facts.findings = check(from.plant, from.spacing, from.limits);
   if (from.points) checkPoints(from, facts, progress.part(0, 0.4));
   if (!hasLength(from.plant)) return facts;
   if (hasLength(from.beginning.skeleton))

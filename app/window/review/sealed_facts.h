@@ -8,7 +8,6 @@
 #include "core/skeleton/finding.h"
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +20,6 @@ struct ToSeal {
   std::shared_ptr<const PointCloud> points = nullptr; // in use; null: there is no scan
   double spacing = 0;                                 // of these [L]
   CheckOptions limits = {};
-  std::optional<std::vector<Finding>> findings = {}; // as they are known; none: to be found
   std::shared_ptr<const Skeleton> reference = nullptr;
   std::string referenceName = {};
   EvaluationOptions how = {}; // the reference is laid on the plant

@@ -59,7 +59,7 @@ TEST(Certificate, StatesAllThatTheSealDoes) {
 
 TEST(Certificate, OfACleanSealWarnsOfNothing) {
   Seal seal = wholeSeal();
-  seal.review->inBulk = {};
+  seal.review->inBulk = seal.review->before = {};
   seal.state->findings.clear();
   seal.state->reason.clear();
   const ReportSection page = certificate(seal, {}, aboutSeal()).sections.front();
@@ -67,6 +67,21 @@ TEST(Certificate, OfACleanSealWarnsOfNothing) {
     EXPECT_FALSE(std::holds_alternative<ReportWarnings>(block));
   EXPECT_TRUE(cellOf(page, "Findings", 1).startsWith("none is open"));
   EXPECT_TRUE(cellOf(page, "Why they are left", 1).isEmpty());
+}
+
+TEST(Certificate, StatesThatAllWasLookedAtOnlyWhereItWas) {
+  const auto statesIt = [](const Seal& seal) {
+    const QString page = textOf(certificate(seal, {}, aboutSeal()).sections.front());
+    return page.contains("has looked at all of this structure");
+  };
+  Seal seal = wholeSeal();
+  EXPECT_FALSE(statesIt(seal));
+  seal.review->inBulk = {};
+  EXPECT_FALSE(statesIt(seal)) << "some came with the plant";
+  seal.review->before = {};
+  EXPECT_TRUE(statesIt(seal));
+  seal.review.reset();
+  EXPECT_FALSE(statesIt(seal)) << "nobody knows";
 }
 
 TEST(Certificate, OfASealOfAnOlderProgramSaysSo) {

@@ -220,6 +220,7 @@ TEST_F(EvaluationWindowTest, FliesToWhatTheArrowKeysComeTo) {
   });
   ASSERT_TRUE(waitForErrors(2));
   list().setCurrentItem(list().topLevelItem(0));
+  list().setFocus(); // arrows step from node to node where the view has the keyboard
   const Eigen::Vector3d before = view().camera().pivot;
   QTest::keyClick(&list(), Qt::Key_Down);
   EXPECT_EQ(list().currentItem(), list().topLevelItem(1));

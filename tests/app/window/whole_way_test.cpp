@@ -159,7 +159,10 @@ TEST_F(WholeWay, ReconstructingOverWorkByHandAsksFirst) {
   EXPECT_TRUE(window().banner().text().startsWith(
       "Reconstructing replaces the skeleton, with 1 edit by hand."))
       << window().banner().text().toStdString();
-  EXPECT_EQ(find<QPushButton>("banner_other_action").text(), "Save a Copy First…");
+  EXPECT_EQ(find<QPushButton>("banner_other_action").text(), "Save Project As…");
+  clickButton("run_to_radius");
+  waitForJob();
+  EXPECT_EQ(document().undoStack().count(), steps) << "it makes the skeleton, too";
   clickButton("banner_action");
   waitForJob();
   EXPECT_EQ(document().undoStack().count(), steps + 1);

@@ -40,7 +40,7 @@ TEST(ErrorReasons, NameWhatIsUnlikeUsualWood) {
   EXPECT_EQ(strongest(gap), Kind::gap);
 }
 
-TEST(ErrorReasons, AreNotThereWhereAPieceIsAsUsual) {
+TEST(ErrorReasons, AreWeakWhereAPieceIsAsUsual) {
   const std::vector<ErrorReason> reasons = reasonsFor(usualPiece());
   EXPECT_TRUE(
       std::ranges::all_of(reasons, [](const ErrorReason& each) { return each.effect < 1; }));

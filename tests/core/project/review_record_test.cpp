@@ -48,16 +48,17 @@ TEST(ReviewRecord, PartsWhatWasLookedAtFromWhatWasMarkedInBulk) {
 }
 
 TEST(ReviewRecord, CountsTheLastStepThatMarkedANode) {
-  Marked work{.skeleton = test::fork(3)};
-  work.mark(ReviewState::reviewed, work.skeleton.ids());
-  const ReviewRecord before = work.record();
-  work.mark(ReviewState::toDo, {NodeId{2}});
-  EXPECT_EQ(work.record().lookedAt.nodes + work.record().inBulk.nodes, work.skeleton.size() - 1)
-      << "what is to do was not reviewed by anything";
-  work.mark(ReviewState::reviewed, {NodeId{2}});
-  EXPECT_GE(work.record().lookedAt.nodes, 1U);
-  EXPECT_EQ(work.record().lookedAt.nodes + work.record().inBulk.nodes,
-            before.lookedAt.nodes + before.inBulk.nodes);
+  Skeleton plant = test::stick(11);
+  const NodeId left =
+      plant.add({.position = {-9, 0, 5}, .parent = NodeId{5}, .edge = EdgeType::branching});
+  Marked work{.skeleton = plant};
+  work.mark(ReviewState::reviewed, plant.ids());
+  EXPECT_EQ(work.record().inBulk.nodes, 12U) << "all of two long axes";
+  work.mark(ReviewState::toDo, {left});
+  EXPECT_EQ(work.record().inBulk.nodes, 11U) << "what is to do was not reviewed by anything";
+  work.mark(ReviewState::reviewed, {left});
+  EXPECT_EQ(work.record().inBulk.nodes, 11U);
+  EXPECT_EQ(work.record().lookedAt, (ReviewRecord::Amount{1, 9}));
 }
 
 TEST(ReviewRecord, SaysWhatCameWithThePlant) {

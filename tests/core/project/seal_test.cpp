@@ -161,6 +161,17 @@ TEST(Seal, StatesHowItWasReviewed) {
   EXPECT_EQ(seal.state, SealedState{.ignored = 1});
 }
 
+TEST(BeginningOfHandWork, OfAPlantThatIsDrawnFromNothingIsNothing) {
+  Work work{.history = {}};
+  work.step(0, [](SkeletonEditor& editor) { replaceSkeleton(editor, test::stick(4)); });
+  EXPECT_TRUE(beginningOfHandWork(work.history).skeleton.isEmpty());
+  EXPECT_FALSE(beginningOfHandWork(work.history).isReconstructed);
+  EXPECT_EQ(work.done().corrections.added, 4U) << "a first stroke is work by hand";
+  work.history.steps.back().replacesContracted = true; // as a reconstruction does
+  EXPECT_EQ(beginningOfHandWork(work.history).skeleton.size(), 4U);
+  EXPECT_TRUE(beginningOfHandWork(work.history).isReconstructed);
+}
+
 TEST(BeginningOfHandWork, IsWhatTheLastReconstructionMadeOrWhatWasOpened) {
   Work work;
   const Skeleton opened = work.history.skeleton;

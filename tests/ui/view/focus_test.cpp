@@ -68,6 +68,21 @@ TEST(FocusDepths, FadeNothingWhereTheFocusIsSmallOnTheScreen) {
   EXPECT_FALSE(FocusDepths().isPassed(7));
 }
 
+TEST(FocusDepths, FadeNothingWhereTheFocusIsBehindTheEyeOrBesideTheScreen) {
+  Camera past = cameraAt(1);
+  past.focus = {0, 5, 0};
+  EXPECT_EQ(FocusDepths(unitBox(), 1, past).outOfFocus(20), 0);
+  Camera beside = cameraAt(10);
+  beside.focus = {40, 0, 0};
+  EXPECT_EQ(FocusDepths(unitBox(), 1, beside).outOfFocus(20), 0);
+}
+
+TEST(FocusDepths, PassNothingWhereHardlyAnythingIsPale) {
+  const FocusDepths depths(unitBox(), 0.2, cameraAt(10));
+  EXPECT_GT(depths.outOfFocus(5), 0);
+  EXPECT_FALSE(depths.isPassed(5)) << "it is still drawn before the focus";
+}
+
 /// Two sticks, one before the other as seen from the front.
 class FocusViewTest : public test::StickView {
 protected:

@@ -114,6 +114,16 @@ TEST(Visibility, SeesNoHolesInAWallFromCloseBy) {
   EXPECT_THAT(seenNodes(scene, screenMap(Projection::perspective, 1.5)), testing::IsEmpty());
 }
 
+TEST(Visibility, HidesNothingOfTheFocusBehindWhatIsDrawnBehindIt) {
+  Scene scene = sceneOf(wall(-6, 1), chain({{0, 0, 0}, {0, 0, 1}}, 0.05));
+  EXPECT_TRUE(seenNodes(scene).empty());
+  scene.setFocus(
+      Focus{.box = {Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1)}, .branch = {}});
+  EXPECT_EQ(seenNodes(scene).size(), 2U);
+  scene.focusFade = 0;
+  EXPECT_TRUE(seenNodes(scene).empty());
+}
+
 TEST(Visibility, HidesBehindNothingThatIsNotDrawn) {
   Scene scene = sceneOf(wall(0, 1), chain({{0, 1, 0}}, 0.05));
   scene.points.visible = false;

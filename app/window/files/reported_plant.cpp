@@ -1,4 +1,4 @@
-#include "app/window/evaluate/reported_plant.h"
+#include "app/window/files/reported_plant.h"
 
 #include "app/window/evaluate/report_flow.h"
 #include "app/window/files/load_files.h"

@@ -1,4 +1,4 @@
-#include "app/window/evaluate/report_maker.h"
+#include "app/window/files/report_maker.h"
 
 #include "core/base/error.h"
 #include "ui/jobs/job_slot.h"

@@ -53,8 +53,8 @@ bool isOtherPath(const Trace& trace, const std::vector<Trace>& others, double ap
 }
 
 /// Places of a stroke without those that were picked on other wood, before it or far behind it: of
-/// all choices that begin at the first, the one that leaves out fewest and jumps least. Time O(n)
-/// for n places.
+/// all choices from the first to the last, the one that leaves out fewest and jumps least. Time
+/// O(n) for n places.
 std::vector<Eigen::Vector3d> withoutAside(const std::vector<Eigen::Vector3d>& places,
                                           double spacing) {
   constexpr std::size_t mostLeftOut = 30; // in a row
@@ -81,13 +81,8 @@ std::vector<Eigen::Vector3d> withoutAside(const std::vector<Eigen::Vector3d>& pl
       costs[i] = cost;
       before[i] = k;
     }
-  std::size_t last = places.size() - 1;
-  for (std::size_t i = 1; i < places.size(); ++i)
-    if (costs[i] + ofLeftOut * static_cast<double>(places.size() - 1 - i) <
-        costs[last] + ofLeftOut * static_cast<double>(places.size() - 1 - last))
-      last = i;
   std::vector<Eigen::Vector3d> kept;
-  for (std::size_t i = last; i > 0; i = before[i])
+  for (std::size_t i = places.size() - 1; i > 0; i = before[i]) // where it ends is meant
     kept.push_back(places[i]);
   kept.push_back(places[0]);
   std::ranges::reverse(kept);
@@ -334,7 +329,7 @@ Trace TraceGraph::traceFromWood(std::vector<std::uint32_t> points, const TraceEn
   const std::optional<Leaving> leaving = leavingWood(places, *options.wood, spacing_);
   if (!leaving) {
     Trace trace = traceOf(points, from, to, options.step);
-    trace.begin = {start.node, start.share};
+    if (!options.keepsStart) trace.begin = {start.node, start.share};
     return trace;
   }
   // Beside thick wood, points contract into that.
@@ -346,13 +341,14 @@ Trace TraceGraph::traceFromWood(std::vector<std::uint32_t> points, const TraceEn
   while (first + 2 < points.size() && isDrawnIn(points[first]))
     ++first;
   points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(first));
-  Trace trace = traceOf(points, {leaving->place, true}, to, options.step, options.wood.get());
+  const Eigen::Vector3d foot = options.keepsStart ? from.place : leaving->place;
+  Trace trace = traceOf(points, {foot, true}, to, options.step, options.wood.get());
   std::size_t inside = 1; // the edge from the middle of the wood needs no place in that
   while (inside + 1 < trace.places.size() && isIn(*options.wood, trace.places[inside]))
     ++inside;
   trace.places.erase(trace.places.begin() + 1, trace.places.begin() + std::ptrdiff_t(inside));
   trace.radii.erase(trace.radii.begin() + 1, trace.radii.begin() + std::ptrdiff_t(inside));
-  trace.begin = leaving->begin;
+  if (!options.keepsStart) trace.begin = leaving->begin;
   return trace;
 }
 

@@ -45,6 +45,7 @@ struct TraceOptions {
   /// The plant: what starts at a fixed end on its wood begins where the points leave that wood, and
   /// where they do not, at that end. Null: at that end.
   std::shared_ptr<const EdgeIndex> wood = {};
+  bool keepsStart = false; // it begins at that end all the same, without nodes in that wood
 };
 
 /// What all traces through one scan share: made once, then asked again and again, by any threads.

@@ -162,6 +162,7 @@ void TraceFlow::work() {
   }
   Asked asked = *std::exchange(next_, std::nullopt);
   asked.question.options.wood = wood();
+  asked.question.options.keepsStart = asked.question.isDrawn; // a stroke says where it begins
   const auto trace = [graph = graph_, question = asked.question](const Progress& progress) {
     const std::vector<Eigen::Vector3d>& places = question.places;
     if (question.isDrawn)

@@ -7,6 +7,7 @@
 #include <QDateTime>
 #include <QFileInfo>
 #include <QPushButton>
+#include <QToolButton>
 
 #include <cmath>
 #include <gmock/gmock.h>
@@ -160,7 +161,7 @@ TEST_F(WholeWay, ReconstructingOverWorkByHandAsksFirst) {
       "Reconstructing replaces the skeleton, with 1 edit by hand."))
       << window().banner().text().toStdString();
   EXPECT_EQ(find<QPushButton>("banner_other_action").text(), "Save Project As…");
-  clickButton("run_to_radius");
+  find<QToolButton>("run_to_radius").click();
   waitForJob();
   EXPECT_EQ(document().undoStack().count(), steps) << "it makes the skeleton, too";
   clickButton("banner_action");

@@ -1,18 +1,25 @@
 #include "app/window/files/reported_plant.h"
 
-#include "app/window/evaluate/report_flow.h"
 #include "app/window/files/load_files.h"
 #include "core/base/error.h"
 #include "core/io/structures/node_list.h"
 #include "core/project/project.h"
 #include "ui/document/plant_document.h"
 
+#include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QFileInfo>
 
 #include <sstream>
 
 namespace espalier {
+namespace {
+
+struct ReportedPlantText {
+  Q_DECLARE_TR_FUNCTIONS(ReportedPlant)
+};
+
+} // namespace
 
 QString fingerprintOf(const Skeleton& skeleton) {
   std::ostringstream text;
@@ -27,10 +34,10 @@ QString fingerprintOf(const Skeleton& skeleton) {
 ReportedFile reportedPlant(const PlantDocument& document) {
   const QString name = QFileInfo(document.filePath()).fileName();
   const QString scan = QFileInfo(document.scanPath()).fileName();
-  const QString unnamed =
-      scan.isEmpty() ? ReportFlow::tr("plant") : ReportFlow::tr("plant of %1").arg(scan);
+  const QString unnamed = scan.isEmpty() ? ReportedPlantText::tr("plant")
+                                         : ReportedPlantText::tr("plant of %1").arg(scan);
   ReportedFile plant{name.isEmpty() ? unnamed : name, fingerprintOf(document.skeleton()),
-                     ReportFlow::tr("hashed as a node list")};
+                     ReportedPlantText::tr("hashed as a node list")};
   plant.isToExport =
       name.isEmpty() || document.isModified() || isProject(toPath(document.filePath()));
   return plant;
@@ -39,7 +46,7 @@ ReportedFile reportedPlant(const PlantDocument& document) {
 std::optional<ReportedFile> reportedScan(const PlantDocument& document) {
   if (document.scan() == nullptr) return std::nullopt;
   const QString name = QFileInfo(document.scanPath()).fileName();
-  return ReportedFile{.name = name.isEmpty() ? ReportFlow::tr("points of the plant") : name};
+  return ReportedFile{.name = name.isEmpty() ? ReportedPlantText::tr("points of the plant") : name};
 }
 
 void identifyScan(std::optional<ReportedFile>& scan, const std::filesystem::path& path,
@@ -48,7 +55,7 @@ void identifyScan(std::optional<ReportedFile>& scan, const std::filesystem::path
   try {
     scan = reportedFile(path, progress);
   } catch (const Error&) {
-    scan->note = ReportFlow::tr("the file can no longer be read");
+    scan->note = ReportedPlantText::tr("the file can no longer be read");
   }
 }
 

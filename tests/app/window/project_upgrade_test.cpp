@@ -23,9 +23,13 @@ struct ProjectUpgradeTest : test::ProjectWindowTest {
           auto* signer = dialog.findChild<QLineEdit*>("signer");
           signer->selectAll();
           QTest::keyClicks(signer, "Anna");
+          dialog.findChild<QLineEdit*>("reason")->setText("as reconstructed");
           press("Sign")(dialog);
         },
-        [this] { action("sign_structure").trigger(); });
+        [this] {
+          action("sign_structure").trigger();
+          waitForJob();
+        });
   }
   void openAnew(const QString& file) {
     window().close();

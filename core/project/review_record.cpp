@@ -40,14 +40,15 @@ ReviewRecord reviewRecord(std::span<const HistoryStep> done, const Skeleton& ske
       if (!skeleton.contains(change.id)) continue;
       for (const std::optional<Node>& node : {change.before, change.after})
         if (node && node->review.state == ReviewState::doubtful) wasDoubted[at] = true;
-      if (!isOpen[at] || !isReviewed(change.after) || isReviewed(change.before)) continue;
-      isOpen[at] = false;
-      marked.push_back(change.id);
+      if (isReviewed(change.after) && !isReviewed(change.before)) marked.push_back(change.id);
     }
     if (marked.empty()) continue;
     const bool isLook = isOneLook(skeleton, marked);
-    for (const NodeId id : marked)
-      add(isLook ? record.lookedAt : record.inBulk, id);
+    for (const NodeId id : marked) // but what a later step marked
+      if (isOpen[indexOf(id)]) {
+        isOpen[indexOf(id)] = false;
+        add(isLook ? record.lookedAt : record.inBulk, id);
+      }
   }
   for (const NodeId id : skeleton.ids()) {
     if (beginsComment(skeleton, id)) ++record.comments;

@@ -33,12 +33,11 @@ struct WoodPathCosts {
 /// (core/graph/geodesic.h) at a source and where no path leads.
 ///
 /// Wood gets thinner outwards and goes on straight: a path that leaves a plant by a twig and comes
-/// into a branch of another, inwards, is dear. A path knows how it ran over the last ten links, and
-/// turns by up to 50 degrees are free.
+/// into a branch of another, inwards, is dear. Paths begin upwards, z up. A path knows how it ran
+/// over the last ten links, and turns by up to 50 degrees are free.
 ///
 /// @param thickness of the wood at each place [L]
 /// @param least     [L] thinner wood counts as this thick, > 0
-/// @param up        how paths begin
 /// @throws Cancelled if `progress` asks to stop
 /// Deterministic. Time O((N + links) log N).
 [[nodiscard]] std::vector<std::uint32_t>

@@ -139,10 +139,11 @@ Skeleton grownOrTraced(const PointCloud& cloud, const std::vector<Eigen::Index>&
   constexpr std::size_t most = 20'000; // points: more of them are a plant
   constexpr double clearly = 0.9;      // so much nearer, what the pipeline makes is better
   Skeleton grown;
-  if (points.size() >= fewestPoints) try {
+  try {
+    if (points.size() >= fewestPoints)
       grown = grownPart(cloud, points, root, whole, options, progress.part(0, 0.7));
-    } catch (const Error&) { // it makes no plant of them: too few along it
-    }
+  } catch (const Error&) { // it makes no plant of them: too few along it
+  }
   if (points.size() > most && grown.size() > 1) return grown;
   Skeleton traced = treeAlong(cloud, points, root, edge, progress.part(0.7, 1));
   const double ofGrown = meanDistance(cloud, points, grown);

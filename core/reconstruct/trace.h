@@ -84,7 +84,8 @@ public:
                                            const Progress& progress = {}) const;
 
   /// A path through given places, as by a hand that drew along the points: its ends are as given,
-  /// all places between move to the middle of the wood.
+  /// all places between move to the middle of the wood, and those picked on other wood, off the
+  /// rest, are left out.
   /// @param places two or more, in order [L]
   [[nodiscard]] Trace through(const std::vector<Eigen::Vector3d>& places, bool startIsFixed,
                               const TraceOptions& options, const Progress& progress = {}) const;

@@ -27,8 +27,8 @@ struct Focus {
 
 /// How far things step back by their depth, as seen from a camera.
 ///
-/// All of the way where the focus is a fifth of the height of the screen or more; less as one moves
-/// away from it, and not at all under a twelfth, nor where it is behind the eye or beside what is
+/// As far as that where the focus is a fifth of the height of the screen or more; less as one moves
+/// off it, and not at all under a twelfth, nor where it is behind the eye or beside what is
 /// seen: there one looks at the plant again.
 class FocusDepths {
 public:

@@ -281,7 +281,8 @@ void TraceFlow::lookAt(const std::vector<Eigen::Vector3d>& places) {
   const double margin =
       std::max(box.diagonal().norm() / 2, 2 * meanEdgeLength(parts_.document.skeleton()));
   PlantView& view = parts_.editing.activeView();
-  view.flyTo(view.cameraToSee({.nodes = {}, .places = places, .margin = margin}));
+  const Sight sight{.nodes = {}, .places = places, .margin = margin};
+  view.flyTo(view.cameraToSee(sight), focusOn(parts_.document.skeleton(), sight));
 }
 
 void TraceFlow::show(std::vector<GrownBranch> branches, const QString& text, double least) {

@@ -1,10 +1,11 @@
 #include "core/evaluate/study/bridges.h"
 
+#include "core/graph/disjoint_sets.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace espalier {
@@ -95,30 +96,13 @@ std::map<Pair, double> meetings(const ThinnedPlant& plant, const std::vector<Pla
   return found;
 }
 
-/// Sets of pieces that grow together.
-class PieceSets {
-public:
-  explicit PieceSets(std::size_t count) : within_(count) {
-    std::iota(within_.begin(), within_.end(), 0U);
-  }
-  std::uint32_t find(std::uint32_t piece) {
-    while (within_[piece] != piece)
-      piece = within_[piece] = within_[within_[piece]];
-    return piece;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { within_[find(a)] = find(b); }
-
-private:
-  std::vector<std::uint32_t> within_;
-};
-
 } // namespace
 
 Eigen::Index countBridges(const ThinnedPlant& plant, const Eigen::Matrix3Xf& places,
                           double spacing) {
   const PlantPieces pieces = piecesOf(plant, pieceLength * spacing);
   PathsBetween paths(pieces);
-  PieceSets sets(pieces.adjacent.size());
+  DisjointSets sets(pieces.adjacent.size()); // of bridged pieces that are connected
   std::vector<bool> isBridged(pieces.adjacent.size(), false);
   const std::vector<Placed> placed = placedPieces(plant, pieces, places, spacing);
   for (const auto& [pair, apart] : meetings(plant, placed, spacing)) {

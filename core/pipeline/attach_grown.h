@@ -31,10 +31,10 @@ struct AttachOptions {
 /// Edges across wide gaps are cut, and nodes that lie off the points go back to them. Each piece
 /// may be entered at any of its nodes from any place of the plant and of pieces before it, across
 /// `widestJoin` at most, or up to ten times as far along points, or `widestAhead` straight ahead;
-/// what goes on by a turn sharper than `sharpestTurn` is a piece of its own. Of all choices to attach
-/// a piece that costs least which is short and turns little, the cheapest of all pieces first
-/// (Prim). Pieces that nothing leads to are left out. No new node is thicker than the one it is
-/// attached to, if that has a radius.
+/// what goes on by a turn sharper than `sharpestTurn` is a piece of its own. Of all choices to
+/// attach a piece that costs least which is short and turns little, the cheapest of all pieces
+/// first (Prim). Pieces that nothing leads to are left out. No new node is thicker than the one it
+/// is attached to, if that has a radius.
 ///
 /// @param plant  with radii; not empty
 /// @param onto   its nodes that may bear new ones: at them, and on the edges between two of them

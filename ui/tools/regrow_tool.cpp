@@ -60,7 +60,7 @@ std::vector<Eigen::Vector3d> placesOf(const Skeleton& part) {
 QString RegrowTool::walkHint() const {
   const std::optional<std::size_t> at = current();
   if (!at) return tr("Enter accepts, Esc drops");
-  return tr("%1: %2 long   {take_branch} takes it   {drop_branch} drops it   Enter: all   "
+  return tr("%1: %2 long   {take_branch} takes   {drop_branch} drops   Enter: all   "
             "Esc: none")
       .arg(formatCount(*at + 1), formatLength(proposals_[*at].length, document().unit(), 3));
 }

@@ -96,6 +96,7 @@ TEST_F(SaveStyleTest, TheNameFollowsTheTypeThatIsChosen) {
         EXPECT_TRUE(files.selectedNameFilter().contains("*.txt"));
         auto* types = dialog.findChild<QComboBox*>("fileTypeCombo");
         ASSERT_NE(types, nullptr);
+        QApplication::setActiveWindow(&dialog); // or its keys go to the view
         for (const char* part : {"plant, axes and nodes", "lines.obj", "as PlantScan3D"}) {
           types->setFocus();
           const int row = types->findText(part, Qt::MatchContains);

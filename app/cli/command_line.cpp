@@ -48,6 +48,7 @@ void addAll(CLI::App& app) {
   addSimulate(app);
   addMethods(app);
   addPicture(app);
+  addAnswer(app);
   // What subcommands would inherit comes after them.
   app.set_version_flag("--version", "espalier " ESPALIER_VERSION, "Print the version");
   app.footer("\"espalier SUBCOMMAND --help\" describes one. Results go to files, messages\n"

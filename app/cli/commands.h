@@ -26,5 +26,6 @@ void addInfo(CLI::App& app);
 void addSimulate(CLI::App& app);
 void addMethods(CLI::App& app);
 void addPicture(CLI::App& app);
+void addAnswer(CLI::App& app);
 
 } // namespace espalier

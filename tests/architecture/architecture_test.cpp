@@ -68,6 +68,7 @@ const Rooms roomsOfCore = {
     {"evaluate/study", {"evaluate"}},
     {"decide", {"simulate", "evaluate/study"}},
     {"pipeline", {"clean", "decide", "surface/envelopes"}},
+    {"doubt", {"pipeline"}},
     {"io/bytes", {"pipeline"}},
     {"io/points", {"io/bytes"}},
     {"io/structures", {"io/bytes"}},

@@ -16,8 +16,8 @@ using testing::IsEmpty;
 
 const test::Arguments subcommands = {"reconstruct", "clean",    "smooth",  "plants",  "batch",
                                      "contract",    "evaluate", "noise",   "convert", "info",
-                                     "simulate",    "methods",  "picture", "sweep",   "traits",
-                                     "envelope",    "register"};
+                                     "simulate",    "methods",  "picture", "answer",  "sweep",
+                                     "traits",      "envelope", "register"};
 
 void expectPage(const Outcome& help) {
   EXPECT_EQ(help.status, 0);

@@ -1,0 +1,107 @@
+#include "core/doubt/doubt.h"
+
+#include "core/skeleton/edits.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+/// A node that goes on in one child alone goes on with its axis there.
+void goOnAt(SkeletonEditor& editor, NodeId id) {
+  const std::vector<NodeId>& children = editor.skeleton().children(id);
+  if (children.size() == 1 && editor.skeleton()[children.front()].edge == EdgeType::branching)
+    setEdgeType(editor, children.front(), EdgeType::successor);
+}
+
+const Alternative* addedIn(const Doubt& doubt) {
+  const auto found = std::ranges::find(doubt.alternatives, Alternative::Kind::add,
+                                       [](const Alternative& one) { return one.kind; });
+  return found == doubt.alternatives.end() ? nullptr : &*found;
+}
+
+/// Where a branch that would be added begins and ends, in the order of its nodes.
+std::pair<Eigen::Vector3d, Eigen::Vector3d> endsOf(const GrownBranch& branch) {
+  const std::vector<NodeId> ids = branch.part.ids();
+  return {branch.part[ids.front()].position, branch.part[ids.back()].position};
+}
+
+} // namespace
+
+std::string nameOf(Doubt::Kind kind) {
+  switch (kind) {
+  case Doubt::Kind::end:
+    return "end";
+  case Doubt::Kind::attachment:
+    return "attachment";
+  case Doubt::Kind::missing:
+    return "missing";
+  }
+  return {};
+}
+
+bool isSame(const Doubt& a, const Doubt& b, double near) {
+  const Alternative* branchOfA = addedIn(a);
+  const Alternative* branchOfB = addedIn(b);
+  if (!branchOfA || !branchOfB) return !branchOfA && !branchOfB && a.node == b.node;
+  const auto [beginA, endA] = endsOf(*branchOfA->branch);
+  const auto [beginB, endB] = endsOf(*branchOfB->branch);
+  return (beginA - beginB).norm() <= near && (endA - endB).norm() <= near;
+}
+
+bool isThere(const Doubt& doubt, const Skeleton& skeleton) {
+  const auto has = [&](NodeId id) { return skeleton.contains(id); };
+  return has(doubt.node) && std::ranges::all_of(doubt.nodes, has) &&
+         std::ranges::all_of(doubt.alternatives, [&](const Alternative& one) {
+           if (one.onto) return has(*one.onto) && !skeleton.isAncestor(doubt.node, *one.onto);
+           return !one.branch || has(one.branch->on);
+         });
+}
+
+void settle(SkeletonEditor& editor, const Doubt& doubt, const Alternative& alternative,
+            const std::string& reviewer) {
+  std::vector<NodeId> looked;
+  switch (alternative.kind) {
+  case Alternative::Kind::asItIs:
+    looked = doubt.nodes;
+    break;
+  case Alternative::Kind::remove: {
+    const std::optional<NodeId> foot = editor.skeleton()[doubt.node].parent;
+    removeSubtree(editor, doubt.node);
+    if (foot) goOnAt(editor, *foot);
+    break;
+  }
+  case Alternative::Kind::attach: {
+    const std::optional<NodeId> foot = editor.skeleton()[doubt.node].parent;
+    reparentNode(editor, doubt.node, *alternative.onto);
+    if (foot) goOnAt(editor, *foot);
+    looked = doubt.nodes;
+    break;
+  }
+  case Alternative::Kind::add:
+    looked = addGrown(editor, {*alternative.branch});
+    for (std::size_t i = 0; i < looked.size(); ++i) // those that they carry, too
+      std::ranges::copy(editor.skeleton().children(looked[i]), std::back_inserter(looked));
+    break;
+  }
+  if (reviewer.empty()) return;
+  for (const NodeId id : looked)
+    editor.setReview(id, {.state = ReviewState::reviewed,
+                          .comment = editor.skeleton()[id].review.comment,
+                          .reviewer = reviewer});
+}
+
+std::size_t decideByOdds(SkeletonEditor& editor, const std::vector<Doubt>& doubts, double least) {
+  std::size_t changed = 0;
+  for (const Doubt& doubt : doubts) {
+    const Alternative& likeliest = doubt.alternatives.front();
+    if (doubt.present == 0 || likeliest.probability < least) continue;
+    if (!isThere(doubt, editor.skeleton())) continue;
+    settle(editor, doubt, likeliest, {});
+    ++changed;
+  }
+  return changed;
+}
+
+} // namespace espalier

@@ -1,0 +1,167 @@
+#include "core/doubt/find_doubts.h"
+
+#include "core/decide/attachment_odds.h"
+#include "core/decide/end_odds.h"
+#include "core/doubt/missing_branches.h"
+#include "core/skeleton/length_along.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+constexpr double leastWrong = 0.02;
+constexpr std::size_t mostAlternatives = 4;
+
+class DoubtSearch {
+public:
+  DoubtSearch(const Skeleton& skeleton, const DoubtSources& sources)
+      : skeleton_(skeleton), sources_(sources), cloud_(*sources.distances.cloud()),
+        carried_(carriedLengths(skeleton)), ends_(skeleton.idEnd(), 0) {
+    const std::vector<NodeId> ids = skeleton.ids();
+    for (auto id = ids.rbegin(); id != ids.rend(); ++id) {
+      if (skeleton.children(*id).empty()) ends_[indexOf(*id)] = 1;
+      if (const auto parent = skeleton[*id].parent)
+        ends_[indexOf(*parent)] += ends_[indexOf(*id)];
+      else {
+        allLength_ += carried_[indexOf(*id)];
+        allEnds_ += ends_[indexOf(*id)];
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<Doubt> find(const Progress& progress) {
+    if (skeleton_.isEmpty() || cloud_.size() == 0) return {};
+    addEnds(progress.part(0, 0.2));
+    addAttachments(progress.part(0.2, 0.4));
+    addMissing(progress.part(0.4, 1));
+    std::vector<Doubt> doubts;
+    for (auto& [node, doubt] : ofWood_)
+      keep(std::move(doubt), doubts);
+    for (Doubt& doubt : missing_)
+      keep(std::move(doubt), doubts);
+    std::ranges::stable_sort(doubts, std::greater(), &Doubt::gain);
+    return doubts;
+  }
+
+private:
+  using Kind = Alternative::Kind;
+
+  void addEnds(const Progress& progress) {
+    const EndsOfSkeleton ends(skeleton_, cloud_.positions(), cloud_.origin(), sources_.scale,
+                              progress);
+    for (const EndsOfSkeleton::End& end : ends.ends()) {
+      const double shoot = probabilityOfShoot(end.evidence);
+      const NodeId node = end.end.nodes.back();
+      Doubt doubt{.kind = Doubt::Kind::end, .node = node};
+      doubt.nodes.assign(end.end.nodes.rbegin(), end.end.nodes.rend());
+      doubt.alternatives = {{.kind = Kind::asItIs, .probability = shoot},
+                            {.kind = Kind::remove, .probability = 1 - shoot}};
+      ofWood_[node] = std::move(doubt);
+    }
+  }
+
+  /// What wood grows from; an end that is none grows from nothing.
+  void addAttachments(const Progress& progress) {
+    for (const AttachmentChoice& choice :
+         attachmentChoices(skeleton_, sources_.index, cloud_.origin(), sources_.scale.spacing,
+                           sources_.up, progress)) {
+      const std::vector<double> odds = probabilitiesOf(choice);
+      const auto [at, isNew] = ofWood_.try_emplace(choice.node);
+      Doubt& doubt = at->second;
+      if (isNew)
+        doubt = {.node = choice.node,
+                 .nodes = runFrom(choice.node),
+                 .alternatives = {{.kind = Kind::asItIs, .probability = 1}}};
+      const double isWood = doubt.alternatives.front().probability;
+      const double isNone = 1 - isWood;
+      if (isWood * (1 - odds.front()) > isNone) doubt.kind = Doubt::Kind::attachment;
+      doubt.alternatives.front().probability = isWood * odds.front();
+      for (std::size_t i = 1; i < choice.links.size(); ++i)
+        doubt.alternatives.push_back(
+            {.kind = Kind::attach, .probability = isWood * odds[i], .onto = choice.links[i].from});
+    }
+  }
+
+  [[nodiscard]] std::vector<NodeId> runFrom(NodeId id) const {
+    std::vector<NodeId> run = {id};
+    while (skeleton_.children(run.back()).size() == 1)
+      run.push_back(skeleton_.children(run.back()).front());
+    return run;
+  }
+
+  void addMissing(const Progress& progress) {
+    for (MissingBranch& missing : missingBranches(skeleton_, sources_, progress)) {
+      const double odds = probabilityOfWood(missing);
+      Doubt doubt{.kind = Doubt::Kind::missing, .node = missing.branch.on};
+      doubt.alternatives = {
+          {.kind = Kind::asItIs, .probability = 1 - odds},
+          {.kind = Kind::add, .probability = odds, .branch = std::move(missing.branch)}};
+      missing_.push_back(std::move(doubt));
+    }
+  }
+
+  [[nodiscard]] bool isReviewed(const Doubt& doubt) const {
+    return std::ranges::any_of(
+        doubt.nodes, [&](NodeId id) { return skeleton_[id].review.state != ReviewState::toDo; });
+  }
+
+  /// How much of the plant an alternative would change: of its length and of its ends, the mean.
+  [[nodiscard]] double shareOf(const Doubt& doubt, const Alternative& one, double& length) const {
+    double ends = 0;
+    if (one.kind == Kind::asItIs) return 0;
+    if (one.kind == Kind::add) {
+      const NodeId root = one.branch->part.roots().front();
+      length = carriedLengths(one.branch->part)[indexOf(root)];
+      for (const NodeId id : one.branch->part.ids())
+        ends += one.branch->part.children(id).empty();
+    } else {
+      length = carried_[indexOf(doubt.node)] + edgeLength(skeleton_, doubt.node);
+      ends = ends_[indexOf(doubt.node)];
+    }
+    return (length / std::max(allLength_, length) + ends / std::max(allEnds_, ends)) / 2;
+  }
+
+  void keep(Doubt doubt, std::vector<Doubt>& doubts) const {
+    if (isReviewed(doubt)) return;
+    std::ranges::stable_sort(doubt.alternatives, std::greater(), &Alternative::probability);
+    const auto present = [&] {
+      return std::ranges::find(doubt.alternatives, Kind::asItIs, &Alternative::kind);
+    };
+    if (1 - present()->probability < leastWrong) return;
+    if (const auto at = present();
+        at - doubt.alternatives.begin() >= std::ptrdiff_t(mostAlternatives))
+      std::iter_swap(at, doubt.alternatives.begin() + mostAlternatives - 1);
+    if (doubt.alternatives.size() > mostAlternatives) doubt.alternatives.resize(mostAlternatives);
+    doubt.present = static_cast<std::size_t>(present() - doubt.alternatives.begin());
+    for (const Alternative& one : doubt.alternatives) {
+      double length = 0;
+      doubt.gain += one.probability * shareOf(doubt, one, length);
+      doubt.length = std::max(doubt.length, length);
+    }
+    doubts.push_back(std::move(doubt));
+  }
+
+  const Skeleton& skeleton_;
+  const DoubtSources& sources_;
+  const PointCloud& cloud_;
+  std::vector<double> carried_; // by id [L]
+  std::vector<double> ends_;    // by id: that it carries, or is
+  double allLength_ = 0;        // [L]
+  double allEnds_ = 0;
+  std::map<NodeId, Doubt> ofWood_; // by the lowest node
+  std::vector<Doubt> missing_;
+};
+
+} // namespace
+
+std::vector<Doubt> findDoubts(const Skeleton& skeleton, const DoubtSources& sources,
+                              const Progress& progress) {
+  progress.check();
+  return DoubtSearch(skeleton, sources).find(progress);
+}
+
+} // namespace espalier

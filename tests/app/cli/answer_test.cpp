@@ -1,0 +1,41 @@
+// A reference answers what the program asks.
+#include "tests/app/cli/subcommands.h"
+
+#include <nlohmann/json.hpp>
+
+namespace espalier {
+namespace {
+
+using test::bytesOf;
+using test::expectRefusal;
+using test::runProgram;
+using testing::HasSubstr;
+
+struct Answer : test::Subcommands {};
+
+TEST_F(Answer, PrintsScoresAndWritesThePlantAndTheNumbers) {
+  const std::string printed =
+      run({"answer", scan_, "--oracle", truth_, "--answers", "12", "--decide-rest", "-o",
+           file("answered.mtg"), "--json", file("answers.json")});
+  EXPECT_THAT(printed, HasSubstr(" answers  changes   doubts"));
+  const auto json = nlohmann::json::parse(bytesOf(file("answers.json")));
+  ASSERT_GE(json["rows"].size(), 4U);
+  EXPECT_EQ(json["rows"].front()["answers"], 0);
+  EXPECT_EQ(json["rows"].back()["answers"], 12);
+  EXPECT_EQ(json["order"], "gain");
+  EXPECT_GE(json["rows"].back()["right"], json["rows"].front()["right"]);
+  EXPECT_TRUE(json["rest"].contains("changes"));
+  EXPECT_THAT(bytesOf(file("answered.mtg")), HasSubstr("CODE"));
+}
+
+TEST_F(Answer, RefusesWhatItCannotDo) {
+  expectRefusal(runProgram({"answer", scan_}), 2, {"--oracle"});
+  expectRefusal(runProgram({"answer", scan_, "--oracle", truth_, "--order", "size"}), 2,
+                {"--order", "gain"});
+  expectRefusal(runProgram({"answer", scan_, "--oracle", truth_, "--answers", "0"}), 2,
+                {"--answers"});
+  expectRefusal(runProgram({"answer", scan_, "--oracle", file("none.mtg")}), 1, {"none.mtg"});
+}
+
+} // namespace
+} // namespace espalier

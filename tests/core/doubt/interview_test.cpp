@@ -1,0 +1,205 @@
+#include "core/doubt/interview.h"
+#include "core/pipeline/pipeline.h"
+#include "core/pipeline/plant_scale.h"
+#include "tests/support/clouds.h"
+#include "tests/support/simulated.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <set>
+
+namespace espalier {
+namespace {
+
+struct Reconstructed {
+  std::shared_ptr<const PointCloud> cloud;
+  Skeleton plant;
+  PlantScale scale;
+};
+
+const Reconstructed& tree() {
+  static const Reconstructed made = [] {
+    const auto cloud = std::make_shared<const PointCloud>(test::simulatedTree().cloud);
+    const Reconstruction found = Pipeline().run(cloud);
+    return Reconstructed{cloud, *found.skeleton, found.scale};
+  }();
+  return made;
+}
+
+Interview interviewed(const Interview::Options& options, const Progress& progress = {}) {
+  return {tree().cloud,
+          tree().plant,
+          test::simulatedTree().truth,
+          tree().scale,
+          Eigen::Vector3d::UnitZ(),
+          options,
+          progress};
+}
+
+double toleranceOfTree() {
+  return 3 * tree().scale.spacing;
+}
+
+std::vector<Doubt> doubtsOfTree(const Progress& progress = {}) {
+  const SpatialIndex index(tree().cloud->positions());
+  const PointDistances distances(tree().cloud, tree().scale.spacing, tree().plant);
+  return findDoubts(tree().plant, {.distances = distances, .index = index, .scale = tree().scale},
+                    progress);
+}
+
+TEST(FindDoubts, ListsChoicesThatAreThereTheGreatestGainFirst) {
+  const std::vector<Doubt> doubts = doubtsOfTree();
+  ASSERT_GT(doubts.size(), 5U);
+  std::set<NodeId> nodes;
+  for (std::size_t i = 0; i < doubts.size(); ++i) {
+    const Doubt& doubt = doubts[i];
+    EXPECT_TRUE(isThere(doubt, tree().plant));
+    EXPECT_GE(doubt.alternatives.size(), 2U);
+    EXPECT_LE(doubt.alternatives.size(), 4U);
+    EXPECT_EQ(doubt.alternatives[doubt.present].kind, Alternative::Kind::asItIs);
+    double sum = 0;
+    for (std::size_t k = 0; k < doubt.alternatives.size(); ++k) {
+      sum += doubt.alternatives[k].probability;
+      if (k > 0 && k + 1 < doubt.alternatives.size()) {
+        EXPECT_GE(doubt.alternatives[k - 1].probability, doubt.alternatives[k].probability);
+      }
+    }
+    EXPECT_LE(sum, 1 + 1e-9);
+    EXPECT_GE(doubt.wrong(), 0.02);
+    EXPECT_GT(doubt.gain, 0);
+    if (i > 0) {
+      EXPECT_GE(doubts[i - 1].gain, doubt.gain);
+    }
+    if (doubt.kind == Doubt::Kind::missing) continue;
+    EXPECT_TRUE(nodes.insert(doubt.node).second) << "one doubt for each wood";
+  }
+}
+
+TEST(FindDoubts, PassesOverWhatWasReviewed) {
+  Skeleton plant = tree().plant;
+  for (const NodeId id : plant.ids())
+    plant.setReview(id, {.state = ReviewState::reviewed, .reviewer = "Ann"});
+  const SpatialIndex index(tree().cloud->positions());
+  const PointDistances distances(tree().cloud, tree().scale.spacing, plant);
+  for (const Doubt& doubt :
+       findDoubts(plant, {.distances = distances, .index = index, .scale = tree().scale}))
+    EXPECT_EQ(doubt.kind, Doubt::Kind::missing);
+}
+
+TEST(FindDoubts, AsksWhatABranchGrowsFromThatIsAttachedToWoodBesideIt) {
+  const Skeleton truth = test::simulatedTree().truth;
+  const PlantScale scale = scaleOf(*tree().cloud, {}, UpAxis::z);
+  const SpatialIndex index(tree().cloud->positions());
+  // The upper half of an axis goes to the nearest node of another that does not carry it.
+  int asked = 0;
+  int first = 0;
+  for (const NodeId id : truth.ids()) {
+    const auto parent = truth[id].parent;
+    if (!parent || truth.children(*parent).size() != 1 || truth.children(id).size() != 1) continue;
+    if (static_cast<int>(indexOf(id)) % 5 != 0) continue;
+    NodeId onto = *parent;
+    double least = 8 * scale.spacing;
+    for (const NodeId other : truth.ids()) {
+      const double apart = (truth[other].position - truth[id].position).norm();
+      if (apart >= least || truth.isAncestor(id, other) || truth.isAncestor(other, id)) continue;
+      least = apart;
+      onto = other;
+    }
+    if (onto == *parent) continue;
+    Skeleton plant = truth;
+    plant.reparent(id, onto, EdgeType::branching);
+    const PointDistances distances(tree().cloud, scale.spacing, plant);
+    for (const Doubt& doubt :
+         findDoubts(plant, {.distances = distances, .index = index, .scale = scale})) {
+      if (doubt.node != id) continue;
+      ++asked;
+      first += doubt.alternatives.front().onto == parent;
+    }
+    if (asked == 8) break;
+  }
+  ASSERT_GE(asked, 3);
+  EXPECT_GE(first, asked * 2 / 3) << "where it was is the most probable";
+}
+
+TEST(FindDoubts, StopsWhenAsked) {
+  EXPECT_TRUE(test::stopsWhenAsked([](const Progress& progress) { (void)doubtsOfTree(progress); }));
+}
+
+TEST(Interview, MakesThePlantMoreRightAndEndsWhenNothingIsInDoubt) {
+  Interview interview = interviewed({.tolerance = toleranceOfTree()});
+  const auto share = [&] {
+    return agreementWith(interview.reference(), interview.plant(), toleranceOfTree()).share();
+  };
+  const double before = share();
+  const std::size_t doubts = interview.doubts().size();
+  while (interview.answers() < 200 && interview.askNext())
+    ;
+  EXPECT_FALSE(interview.askNext());
+  EXPECT_GT(share(), before);
+  EXPECT_GT(interview.changes(), 0U);
+  EXPECT_LT(interview.changes(), interview.answers());
+  EXPECT_GE(2 * doubts, interview.answers()) << "answers lead to few further doubts";
+}
+
+TEST(Interview, PutsMoreRightWithFewAnswersThanInTheOrderOfTheReview) {
+  const auto after = [](AskingOrder order, std::size_t answers) {
+    Interview interview = interviewed({.tolerance = toleranceOfTree(), .order = order});
+    while (interview.answers() < answers && interview.askNext())
+      ;
+    return agreementWith(interview.reference(), interview.plant(), toleranceOfTree()).share();
+  };
+  EXPECT_GE(after(AskingOrder::byGain, 12), after(AskingOrder::alongPlant, 12));
+}
+
+TEST(Interview, IsTheSameForTheSameSeed) {
+  const auto plantAfter = [](std::uint64_t seed) {
+    Interview interview =
+        interviewed({.tolerance = toleranceOfTree(), .order = AskingOrder::random, .seed = seed});
+    for (int i = 0; i < 10; ++i)
+      interview.askNext();
+    return interview.plant();
+  };
+  EXPECT_EQ(plantAfter(3), plantAfter(3));
+}
+
+TEST(Interview, DecidesTheRestByWhatItLearned) {
+  Interview interview = interviewed({.tolerance = toleranceOfTree()});
+  for (int i = 0; i < 20; ++i)
+    interview.askNext();
+  const double before =
+      agreementWith(interview.reference(), interview.plant(), toleranceOfTree()).share();
+  interview.decideRest();
+  EXPECT_GE(agreementWith(interview.reference(), interview.plant(), toleranceOfTree()).share(),
+            before - 0.005);
+}
+
+TEST(ExpectedAgreement, IsNearTheRealOneAndOfWhatIsReviewedFull) {
+  Interview interview = interviewed({.tolerance = toleranceOfTree()});
+  const double real =
+      agreementWith(interview.reference(), interview.plant(), toleranceOfTree()).share();
+  EXPECT_NEAR(interview.expected().share(), real, 0.08);
+  Skeleton plant = tree().plant;
+  for (const NodeId id : plant.ids())
+    plant.setReview(id, {.state = ReviewState::reviewed, .reviewer = "Ann"});
+  const ErrorRatings ratings{
+      .ofEdges = std::vector<double>(plant.idEnd(), 0.3), .pieces = {}, .evidence = {}};
+  EXPECT_EQ(expectedAgreement(plant, ratings, {}).share(), 1);
+  EXPECT_NEAR(expectedAgreement(tree().plant, ratings, {}).share(), 0.7, 1e-9);
+}
+
+TEST(AnswersFor, AreThoseThatProbablyMakeEnoughRight) {
+  const std::vector<Doubt> doubts = doubtsOfTree();
+  const ErrorRatings ratings{
+      .ofEdges = std::vector<double>(tree().plant.idEnd(), 0.1), .pieces = {}, .evidence = {}};
+  const double now = expectedAgreement(tree().plant, ratings, doubts).share();
+  EXPECT_EQ(answersFor(now, tree().plant, ratings, doubts), 0U);
+  const std::size_t some = answersFor(now + 0.02, tree().plant, ratings, doubts);
+  EXPECT_GT(some, 0U);
+  EXPECT_LE(some, doubts.size());
+  EXPECT_GT(answersFor(1, tree().plant, ratings, doubts), doubts.size());
+}
+
+} // namespace
+} // namespace espalier

@@ -5,6 +5,7 @@
 #include "app/window/files/project_flow.h"
 #include "app/window/frame/action_set.h"
 #include "app/window/preview/preview_flow.h"
+#include "app/window/review/asking_flow.h"
 #include "app/window/view/shown_flow.h"
 #include "ui/document/plant_document.h"
 
@@ -94,6 +95,8 @@ bool EditFlow::endsPreview(int step) {
 
 void EditFlow::leave() {
   if (later_->registration.isActive()) return later_->registration.escape();
+  if (!later_->editing.isPending() && later_->asking.isShowing())
+    return later_->asking.stopAsking();
   if (later_->editing.isPending() || !later_->preview.drop()) later_->editing.escape();
 }
 

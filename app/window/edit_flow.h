@@ -7,6 +7,7 @@
 namespace espalier {
 
 class ActionSet;
+class AskingFlow;
 class Editing;
 class PlantDocument;
 class PreviewFlow;
@@ -28,6 +29,7 @@ public:
     const ShownFlow& shown;
     const ProjectFlow& projects;
     RegistrationFlow& registration;
+    AskingFlow& asking;
   };
   void join(const Later& later);
 

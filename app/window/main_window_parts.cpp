@@ -41,6 +41,8 @@
 #include "app/window/preview/sight_flow.h"
 #include "app/window/preview/states_flow.h"
 #include "app/window/preview/sweep_flow.h"
+#include "app/window/review/asking_flow.h"
+#include "app/window/review/doubts_flow.h"
 #include "app/window/review/expected_errors_flow.h"
 #include "app/window/review/findings_flow.h"
 #include "app/window/review/review_flow.h"
@@ -186,6 +188,11 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
   connect(&findings, &FindingsFlow::limitsChanged, &explained, &ExplainedFlow::takeLimits);
   connect(&findings, &FindingsFlow::limitsChanged, &parts_.get<ExpectedErrorsFlow>(),
           &ExpectedErrorsFlow::findAnew);
+  auto& doubts = parts_.make<DoubtsFlow>(
+      DoubtsFlow::Parts{document_, queue_, distances, [&findings] { return findings.limits(); },
+                        [this] { return parts_.get<ReviewFlow>().reviewer(); }});
+  parts_.make<AskingFlow>(
+      AskingFlow::Parts{document_, *view_, *actions_, editing, doubts, settings_, *this, reveal()});
   parts_.make<HiddenPoints>(
       HiddenPoints::Parts{document_, parts_.get<ShownFlow>(), distances, states});
   parts_.make<PresetFlow>(PresetFlow::Parts{pipeline, *actions_, settings_, *this, document_});
@@ -246,8 +253,8 @@ void MainWindow::joinEdits() {
   auto& points = parts_.get<PointsFlow>();
   auto& shown = parts_.get<ShownFlow>();
   auto& registration = parts_.get<RegistrationFlow>();
-  parts_.get<EditFlow>().join(
-      {editing, parts_.get<PreviewFlow>(), shown, parts_.get<ProjectFlow>(), registration});
+  parts_.get<EditFlow>().join({editing, parts_.get<PreviewFlow>(), shown, parts_.get<ProjectFlow>(),
+                               registration, parts_.get<AskingFlow>()});
   connect(&points, &PointsFlow::changed, &shown,
           [this, &shown] { shown.setPointsIsolated(parts_.get<PointStates>().isIsolated()); });
   connect(&registration, &RegistrationFlow::begun, this, &MainWindow::refreshEnabled);

@@ -124,7 +124,8 @@ std::vector<MenuPlaces> menuPlaces() {
           {MainWindow::tr("&Skeleton"), skeletonPlaces()},
           {MainWindow::tr("R&adius"), {{"radius"}}},
           {MainWindow::tr("Eval&uate"), {{"evaluate"}}},
-          {MainWindow::tr("&Review"), {{"review/walk"}, line, {"review/findings"}}},
+          {MainWindow::tr("&Review"),
+           {{"review/walk"}, line, {"review/findings"}, line, {"review/doubts"}}},
           {MainWindow::tr("Help"), {{"help"}}}}; // Alt+H is a key of the plant
 }
 

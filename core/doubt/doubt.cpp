@@ -60,7 +60,7 @@ bool isThere(const Doubt& doubt, const Skeleton& skeleton) {
 }
 
 void settle(SkeletonEditor& editor, const Doubt& doubt, const Alternative& alternative,
-            const std::string& reviewer) {
+            const std::optional<std::string>& reviewer) {
   std::vector<NodeId> looked;
   switch (alternative.kind) {
   case Alternative::Kind::asItIs:
@@ -85,11 +85,11 @@ void settle(SkeletonEditor& editor, const Doubt& doubt, const Alternative& alter
       std::ranges::copy(editor.skeleton().children(looked[i]), std::back_inserter(looked));
     break;
   }
-  if (reviewer.empty()) return;
+  if (!reviewer) return;
   for (const NodeId id : looked)
     editor.setReview(id, {.state = ReviewState::reviewed,
                           .comment = editor.skeleton()[id].review.comment,
-                          .reviewer = reviewer});
+                          .reviewer = *reviewer});
 }
 
 std::size_t decideByOdds(SkeletonEditor& editor, const std::vector<Doubt>& doubts, double least) {
@@ -98,7 +98,7 @@ std::size_t decideByOdds(SkeletonEditor& editor, const std::vector<Doubt>& doubt
     const Alternative& likeliest = doubt.alternatives.front();
     if (doubt.present == 0 || likeliest.probability < least) continue;
     if (!isThere(doubt, editor.skeleton())) continue;
-    settle(editor, doubt, likeliest, {});
+    settle(editor, doubt, likeliest, std::nullopt);
     ++changed;
   }
   return changed;

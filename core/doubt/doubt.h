@@ -37,7 +37,7 @@ struct Doubt {
   std::vector<NodeId> nodes = {};             // of that wood, an unbranched run, `node` first
   std::vector<Alternative> alternatives = {}; // the most probable first, 2 to 4
   std::size_t present = 0;                    // which of them is as it is
-  double length = 0;                          // [L] of wood that would move, at most
+  double length = 0;                          // [L] of the wood in doubt, or that is missing
   double gain = 0; // how much of the plant an answer probably puts right: of length and ends, in
                    // the mean, a share in [0, 1]
 
@@ -57,11 +57,11 @@ inline constexpr int doubtKinds = 3;
 [[nodiscard]] bool isThere(const Doubt& doubt, const Skeleton& skeleton);
 
 /// Makes the plant what an alternative says, and marks the wood that it settles as reviewed.
-/// @param reviewer  whose answer it is; empty: the marks stay
+/// @param reviewer  whose answer it is; none: the marks stay
 /// @throws Error if it is refused; nothing has changed then
 /// pre: isThere(doubt, editor.skeleton())
 void settle(SkeletonEditor& editor, const Doubt& doubt, const Alternative& alternative,
-            const std::string& reviewer);
+            const std::optional<std::string>& reviewer);
 
 /// Makes the plant as its doubts would be decided by their odds: where something else than the
 /// present is the most probable, and by `least` or more, that. Nothing is marked.

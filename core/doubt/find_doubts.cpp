@@ -13,23 +13,18 @@
 namespace espalier {
 namespace {
 
-constexpr double leastWrong = 0.02;
+constexpr double leastWrong = 0.05;
+constexpr double leastAlternative = 0.02; // probability of one that is shown
 constexpr std::size_t mostAlternatives = 4;
 
 class DoubtSearch {
 public:
   DoubtSearch(const Skeleton& skeleton, const DoubtSources& sources)
-      : skeleton_(skeleton), sources_(sources), cloud_(*sources.distances.cloud()),
-        carried_(carriedLengths(skeleton)), ends_(skeleton.idEnd(), 0) {
-    const std::vector<NodeId> ids = skeleton.ids();
-    for (auto id = ids.rbegin(); id != ids.rend(); ++id) {
-      if (skeleton.children(*id).empty()) ends_[indexOf(*id)] = 1;
-      if (const auto parent = skeleton[*id].parent)
-        ends_[indexOf(*parent)] += ends_[indexOf(*id)];
-      else {
-        allLength_ += carried_[indexOf(*id)];
-        allEnds_ += ends_[indexOf(*id)];
-      }
+      : skeleton_(skeleton), sources_(sources), cloud_(*sources.distances.cloud()), allLength_(0),
+        allEnds_(0) {
+    for (const NodeId id : skeleton.ids()) {
+      allLength_ += edgeLength(skeleton, id);
+      if (skeleton.children(id).empty()) ++allEnds_;
     }
   }
 
@@ -109,29 +104,39 @@ private:
         doubt.nodes, [&](NodeId id) { return skeleton_[id].review.state != ReviewState::toDo; });
   }
 
-  /// How much of the plant an alternative would change: of its length and of its ends, the mean.
+  /// How much of the plant an alternative would put right: of its length and of its ends, the mean.
+  /// What wood carries is as it was once the wood is attached elsewhere.
   [[nodiscard]] double shareOf(const Doubt& doubt, const Alternative& one, double& length) const {
-    double ends = 0;
-    if (one.kind == Kind::asItIs) return 0;
-    if (one.kind == Kind::add) {
-      const NodeId root = one.branch->part.roots().front();
-      length = carriedLengths(one.branch->part)[indexOf(root)];
-      for (const NodeId id : one.branch->part.ids())
-        ends += one.branch->part.children(id).empty();
-    } else {
-      length = carried_[indexOf(doubt.node)] + edgeLength(skeleton_, doubt.node);
-      ends = ends_[indexOf(doubt.node)];
+    double ends = 1;
+    switch (one.kind) {
+    case Kind::asItIs:
+      return 0;
+    case Kind::add: {
+      const Skeleton& part = one.branch->part;
+      length = carriedLengths(part)[indexOf(part.roots().front())];
+      const std::vector<NodeId> ids = part.ids();
+      ends = static_cast<double>(
+          std::ranges::count_if(ids, [&](NodeId id) { return part.children(id).empty(); }));
+      break;
+    }
+    case Kind::attach:
+    case Kind::remove:
+      for (const NodeId id : doubt.nodes)
+        length += edgeLength(skeleton_, id);
     }
     return (length / std::max(allLength_, length) + ends / std::max(allEnds_, ends)) / 2;
   }
 
   void keep(Doubt doubt, std::vector<Doubt>& doubts) const {
     if (isReviewed(doubt)) return;
+    std::erase_if(doubt.alternatives, [](const Alternative& one) {
+      return one.kind != Kind::asItIs && one.probability < leastAlternative;
+    });
     std::ranges::stable_sort(doubt.alternatives, std::greater(), &Alternative::probability);
     const auto present = [&] {
       return std::ranges::find(doubt.alternatives, Kind::asItIs, &Alternative::kind);
     };
-    if (1 - present()->probability < leastWrong) return;
+    if (1 - present()->probability < leastWrong || doubt.alternatives.size() < 2) return;
     if (const auto at = present();
         at - doubt.alternatives.begin() >= std::ptrdiff_t(mostAlternatives))
       std::iter_swap(at, doubt.alternatives.begin() + mostAlternatives - 1);
@@ -148,10 +153,8 @@ private:
   const Skeleton& skeleton_;
   const DoubtSources& sources_;
   const PointCloud& cloud_;
-  std::vector<double> carried_; // by id [L]
-  std::vector<double> ends_;    // by id: that it carries, or is
-  double allLength_ = 0;        // [L]
-  double allEnds_ = 0;
+  double allLength_; // [L]
+  double allEnds_;
   std::map<NodeId, Doubt> ofWood_; // by the lowest node
   std::vector<Doubt> missing_;
 };

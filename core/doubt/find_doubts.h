@@ -9,7 +9,7 @@ namespace espalier {
 
 /// Where it is not sure how a plant is, what would put most of it right first: ends that may be no
 /// shoots, branches that may grow from other wood, and points that may be a branch. What was
-/// reviewed, and what is sure by 98 %, is not in doubt.
+/// reviewed, and what is sure by 95 %, is not in doubt.
 ///
 /// Uses all threads, deterministic. Time O(N log N), and that of a trace for each cluster of points
 /// without wood.

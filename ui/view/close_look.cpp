@@ -39,7 +39,7 @@ public:
   CloseLook(const Scene& scene, const Camera& now, const Sight& sight, const QSizeF& size)
       : scene_(scene), now_(now),
         aspect_(std::max(1.0, size.width()) / std::max(1.0, size.height())), margin_(sight.margin),
-        isOfOther_(sight.isOfOther), places_(some(sight.places, mostMeant)) {
+        isOfOther_(sight.isOfOther), places_(some(sight.places, mostMeant)), apart_(sight.apart) {
     for (const NodeId id : some(sight.nodes, mostMeant))
       meant_.push_back(indexOf(id));
     outline_ = places_;
@@ -61,7 +61,7 @@ public:
     for (const Camera& camera : directions()) {
       const double kept = (1 + camera.forward().dot(now_.forward())) / 2;
       const double worth = 4 * seen(targets_, camera) + 0.5 * seen(around_, camera) +
-                           0.6 * lengthSeen(camera) + 0.4 * kept;
+                           0.6 * lengthSeen(camera) + 2 * separation(camera) + 0.4 * kept;
       if (worth <= most + 1e-9) continue;
       most = worth;
       best = camera;
@@ -188,6 +188,29 @@ private:
     return whole > 0 ? seen / whole : 1;
   }
 
+  /// How far apart the two lines are on the screen that are least so, as a share of how far apart
+  /// they are: of their middles, and their ends.
+  [[nodiscard]] double separation(const Camera& camera) const {
+    double least = 1;
+    for (std::size_t a = 0; a < apart_.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b) {
+        double whole = 0;
+        double seen = 0;
+        for (const double share : {0.0, 0.5, 1.0}) {
+          const auto placeOn = [&](const std::vector<Eigen::Vector3d>& line) {
+            const double at = share * static_cast<double>(line.size() - 1);
+            return line[static_cast<std::size_t>(std::lround(at))];
+          };
+          if (apart_[a].empty() || apart_[b].empty()) continue;
+          const Eigen::Vector3d span = placeOn(apart_[a]) - placeOn(apart_[b]);
+          whole += span.norm();
+          seen += span.cross(camera.forward()).norm();
+        }
+        if (whole > 0) least = std::min(least, seen / whole);
+      }
+    return least;
+  }
+
   /// The mean share of them that nothing hides.
   [[nodiscard]] double seen(const std::vector<Target>& targets, const Camera& camera) const {
     if (!grid_ || targets.empty()) return 1;
@@ -208,7 +231,8 @@ private:
   double margin_; // [L]
   bool isOfOther_;
   std::vector<std::size_t> meant_;
-  std::vector<Eigen::Vector3d> places_;  // [L]
+  std::vector<Eigen::Vector3d> places_; // [L]
+  std::vector<std::vector<Eigen::Vector3d>> apart_;
   std::vector<Eigen::Vector3d> outline_; // of all that is meant [L]
   Eigen::AlignedBox3d box_;              // about that
   std::vector<Target> targets_;          // on what is meant

@@ -17,6 +17,8 @@ struct Sight {
   std::vector<NodeId> nodes;                // with the edges to their parents
   std::vector<Eigen::Vector3d> places = {}; // on the points of the scan [L]
   double margin = 0;                        // [L] that is shown around all of it
+  /// Lines, one for each of several choices, that are to be seen apart [L].
+  std::vector<std::vector<Eigen::Vector3d>> apart = {};
   bool isOfOther = false; // than the plant, in its place: nothing of the plant stands before it
 
   [[nodiscard]] bool isEmpty() const { return nodes.empty() && places.empty(); }
@@ -27,8 +29,9 @@ struct Sight {
 /// its edges are seen at their full length rather than end on.
 ///
 /// Some hundred directions are tried, from below to steeply above. The one is taken from which most
-/// of what is meant is seen, then most nodes around it; of those that are alike, the one that shows
-/// the edges longest and turns the camera least. What hides something is taken from a SightGrid:
+/// of what is meant is seen, and lines that are to be told apart lie farthest apart on the screen,
+/// then most nodes around it; of those that are alike, the one that shows the edges longest and
+/// turns the camera least. What hides something is taken from a SightGrid:
 /// points as wide as they are apart, and wood that is drawn with its radius.
 /// @param now  keeps its projection
 /// @param size of the screen [logical pixels]

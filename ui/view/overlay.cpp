@@ -195,6 +195,7 @@ void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
   paintBalls(painter, scene, divider, screen);
   if (scene.moved.isShown()) paintTargets(painter, scene.moved.shown, screen, scene.dark);
   if (rootMark) paintRootMark(painter, *rootMark, screen, scene.dark);
+  paintGhosts(painter, ghosts, screen, scene.dark);
   paintPreview(painter, preview, screen, scene.dark);
   paintBand(painter, band, scene.dark);
   if (scene.bounds().isEmpty()) return;

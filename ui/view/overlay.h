@@ -4,6 +4,7 @@
 #include "ui/view/attachment_overlay.h"
 #include "ui/view/camera.h"
 #include "ui/view/envelope_overlay.h"
+#include "ui/view/ghost_overlay.h"
 #include "ui/view/hull_overlay.h"
 #include "ui/view/scene.h"
 #include "ui/view/sight_overlay.h"
@@ -48,6 +49,7 @@ struct Overlay {
   mutable EnvelopeGlass glass;               // of it
   std::optional<ShownSight> sight;           // as PlantView::showSight
   std::optional<ShownAttachment> attachment; // as PlantView::showAttachment
+  std::vector<ShownGhost> ghosts;            // as PlantView::showGhosts
   std::optional<Eigen::Vector3d> rootMark;   // as PlantView::setRootMark
   QString word;                              // as PlantView::setWord
   QPolygonF band;                            // as Canvas::showBand

@@ -51,6 +51,7 @@ void PlantView::Parts::paintOverlay(QPainter& painter) {
   overlay.hulls = shared->hulls;
   overlay.envelope = shared->envelope;
   overlay.attachment = shared->attachment;
+  overlay.ghosts = shared->ghosts;
   overlay.rootMark = shared->rootMark;
   overlay.hasLegends = isFirst();
   overlay.divider = divider;
@@ -303,6 +304,7 @@ QImage PlantView::picture(const QSize& size, double pixelRatio) {
   overlay.hulls = parts_->shared->hulls;
   overlay.envelope = parts_->shared->envelope;
   overlay.attachment = parts_->shared->attachment;
+  overlay.ghosts = parts_->shared->ghosts;
   overlay.divider = parts_->divider;
   overlay.seen = SeenSides::of(parts_->divider);
   return espalier::picture(parts_->scene, parts_->navigator.destination(), overlay, size,

@@ -11,6 +11,7 @@
 #include "ui/view/close_look.h"
 #include "ui/view/envelope_overlay.h"
 #include "ui/view/focus.h"
+#include "ui/view/ghost_overlay.h"
 #include "ui/view/hull_overlay.h"
 #include "ui/view/in_view.h"
 #include "ui/view/node_look.h"
@@ -123,6 +124,7 @@ public:
   void setEnvelope(std::optional<ShownEnvelope> envelope);
   /// Likewise, with the layer of the reference, until setReference(); none: nothing.
   void showAttachment(const std::optional<ShownAttachment>& attachment);
+  void showGhosts(std::vector<ShownGhost> ghosts); // over the plant, with their numbers; none
   void setProjection(Projection projection);
   void setDark(bool dark);
   void setMinimapShown(bool isShown);      // in views that are large enough; at first: not

@@ -210,6 +210,13 @@ void PlantView::showAttachment(const std::optional<ShownAttachment>& attachment)
     each->overlayWidget->update();
 }
 
+void PlantView::showGhosts(std::vector<ShownGhost> ghosts) {
+  if (ghosts.empty() && parts_->shared->ghosts.empty()) return;
+  parts_->shared->ghosts = std::move(ghosts);
+  for (Parts* each : parts_->shared->views)
+    each->overlayWidget->update();
+}
+
 void PlantView::setShowRadii(bool trueRadii) {
   parts_->scene.showRadii = trueRadii;
   parts_->redraw();

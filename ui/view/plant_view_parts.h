@@ -30,6 +30,7 @@ struct PlantView::Shared {
   std::vector<ShownHull> hulls;
   std::optional<ShownEnvelope> envelope;
   std::optional<ShownAttachment> attachment;
+  std::vector<ShownGhost> ghosts;
   std::optional<Eigen::Vector3d> rootMark; // as PlantView::setRootMark
   KnownViews knownViews;
   bool doColorsSpanSeen = true; // as PlantView::setColorsSpanSeen

@@ -37,7 +37,8 @@ public:
     nodeColors,
     pointColors,
     hulls,
-    review
+    review,
+    doubts
   };
   void setWanted(Use use, bool isWanted);
 

@@ -37,25 +37,25 @@ struct KeysWindowTest : test::WindowTest {
 
 TEST_F(KeysWindowTest, TheSheetChangesTheKeysOfACommand) {
   change("new_child");
-  press(Qt::Key_F2);
+  press(Qt::Key_F13);
   EXPECT_EQ(note(), "");
   clickButton("set_keys");
-  EXPECT_EQ(keysOf("new_child"), "F2");
-  EXPECT_EQ(sheet().findChild<QPushButton*>("keys_of_new_child")->text(), "F2");
-  EXPECT_TRUE(action("new_child").toolTip().contains("&nbsp; F2<"))
+  EXPECT_EQ(keysOf("new_child"), "F13");
+  EXPECT_EQ(sheet().findChild<QPushButton*>("keys_of_new_child")->text(), "F13");
+  EXPECT_TRUE(action("new_child").toolTip().contains("&nbsp; F13<"))
       << action("new_child").toolTip().toStdString();
 }
 
 TEST_F(KeysWindowTest, TheNewKeyWorksAndTheOldOneNoMore) {
   open({writeFork("fork.mtg")});
   change("new_child");
-  press(Qt::Key_F2);
+  press(Qt::Key_F13);
   clickButton("set_keys");
   close();
   document().selection().set({test::forkTop});
   key(Qt::Key_N);
   EXPECT_EQ(document().skeleton().size(), 5U);
-  key(Qt::Key_F2);
+  key(Qt::Key_F13);
   EXPECT_EQ(document().skeleton().size(), 6U);
 }
 
@@ -64,11 +64,11 @@ TEST_F(KeysWindowTest, HintsNameTheNewKey) {
   hover(placeOf(test::forkTop));
   EXPECT_TRUE(window().statusLine().shownText().contains("N new child"));
   change("new_child");
-  press(Qt::Key_F2);
+  press(Qt::Key_F13);
   clickButton("set_keys");
   close();
   hover(placeOf(test::forkTop)); // a dialog may have taken the pointer away
-  EXPECT_TRUE(window().statusLine().shownText().contains("F2 new child"))
+  EXPECT_TRUE(window().statusLine().shownText().contains("F13 new child"))
       << window().statusLine().shownText().toStdString();
 }
 
@@ -80,9 +80,9 @@ TEST_F(KeysWindowTest, AHintThatIsShownFollowsTheKeys) {
   click(placeOf(test::forkTop));
   EXPECT_TRUE(window().statusLine().shownText().contains("Ctrl+C copy"));
   change("copy");
-  press(Qt::Key_F2);
+  press(Qt::Key_F13);
   clickButton("set_keys");
-  EXPECT_TRUE(window().statusLine().shownText().contains("F2 copy"))
+  EXPECT_TRUE(window().statusLine().shownText().contains("F13 copy"))
       << window().statusLine().shownText().toStdString();
 }
 

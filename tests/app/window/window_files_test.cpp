@@ -15,6 +15,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProcess>
+#include <QTest>
 #include <QTimer>
 
 namespace espalier {

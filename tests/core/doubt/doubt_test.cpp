@@ -92,7 +92,7 @@ TEST(Doubt, LetsTheAxisGoOnWhereItsContinuationIsRemoved) {
   Doubt doubt = aboutBranch();
   doubt.node = NodeId(2);
   doubt.nodes = {NodeId(2), NodeId(3)};
-  settle(editor, doubt, doubt.alternatives[2], {});
+  settle(editor, doubt, doubt.alternatives[2], std::nullopt);
   (void)editor.commit();
   EXPECT_EQ(plant[NodeId(4)].edge, EdgeType::successor);
 }

@@ -1,0 +1,86 @@
+#include "app/window/review/answered_doubts.h"
+
+#include "app/window/frame/kept_json.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+Doubt::Kind doubtKindNamed(const QString& name) {
+  for (int kind = 0; kind < doubtKinds; ++kind)
+    if (name.toStdString() == nameOf(static_cast<Doubt::Kind>(kind)))
+      return static_cast<Doubt::Kind>(kind);
+  refuse();
+}
+
+AnsweredDoubt answeredIn(const QJsonObject& json) {
+  AnsweredDoubt answered{.kind = doubtKindNamed(json["kind"].toString()),
+                         .node = nodeIn(json["node"]),
+                         .step = StepId(static_cast<std::uint64_t>(numberIn(json["step"])))};
+  answered.learned = {.kind = answered.kind,
+                      .said = numberIn(json["said"]),
+                      .spacings = numberIn(json["spacings"]),
+                      .wasWrong = json["wrong"].toBool()};
+  const bool isInRange =
+      answered.learned.said >= 0 && answered.learned.said <= 1 && answered.learned.spacings >= 0;
+  if (!isInRange) refuse();
+  if (answered.kind != Doubt::Kind::missing) return answered;
+  const QJsonArray tip = json["tip"].toArray();
+  if (tip.size() != 3) refuse();
+  answered.tip = {numberIn(tip[0]), numberIn(tip[1]), numberIn(tip[2])};
+  return answered;
+}
+
+} // namespace
+
+Eigen::Vector3d tipOf(const Doubt& doubt) {
+  for (const Alternative& one : doubt.alternatives)
+    if (one.branch) return one.branch->part[one.branch->part.ids().back()].position;
+  return Eigen::Vector3d::Zero();
+}
+
+bool isAbout(const AnsweredDoubt& answered, const Doubt& doubt, double near) {
+  const bool isMissing = doubt.kind == Doubt::Kind::missing;
+  if (isMissing != (answered.kind == Doubt::Kind::missing)) return false;
+  return isMissing ? (answered.tip - tipOf(doubt)).norm() <= near : answered.node == doubt.node;
+}
+
+std::string textOf(const std::vector<AnsweredDoubt>& answered) {
+  if (answered.empty()) return {};
+  QJsonArray all;
+  for (const AnsweredDoubt& one : answered) {
+    QJsonObject json{{"kind", QString::fromStdString(nameOf(one.kind))},
+                     {"node", static_cast<qint64>(indexOf(one.node))},
+                     {"said", one.learned.said},
+                     {"spacings", one.learned.spacings},
+                     {"wrong", one.learned.wasWrong},
+                     {"step", static_cast<qint64>(one.step)}};
+    if (one.kind == Doubt::Kind::missing)
+      json["tip"] = QJsonArray{one.tip.x(), one.tip.y(), one.tip.z()};
+    all.append(json);
+  }
+  return QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString();
+}
+
+std::vector<AnsweredDoubt> answeredFrom(const std::string& text) {
+  if (text.empty()) return {};
+  const QString refusal = QCoreApplication::translate(
+      "AnsweredDoubts",
+      "the answers in this project cannot be read: what was answered is asked again");
+  return readKept(refusal, [&] {
+    const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
+    if (!document.isArray()) refuse();
+    std::vector<AnsweredDoubt> answered;
+    for (const QJsonValue& value : document.array())
+      answered.push_back(answeredIn(value.toObject()));
+    return answered;
+  });
+}
+
+} // namespace espalier

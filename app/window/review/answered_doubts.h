@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/doubt/learned_odds.h"
+#include "core/project/history.h"
+
+#include <string>
+#include <vector>
+
+namespace espalier {
+
+/// A doubt that was answered: it is not asked again, and its answer is learned from.
+struct AnsweredDoubt {
+  Doubt::Kind kind = Doubt::Kind::end;
+  NodeId node{};                                 // as of the doubt
+  Eigen::Vector3d tip = Eigen::Vector3d::Zero(); // of a branch that would be added [L]
+  LearnedAnswer learned = {};                    // of the same kind
+  StepId step = {};                              // that made the answer; 0: it changed nothing
+
+  bool operator==(const AnsweredDoubt&) const = default;
+};
+
+/// Whether an answer is about a doubt; of branches that would be added, one whose tip is within
+/// `near` [L].
+[[nodiscard]] bool isAbout(const AnsweredDoubt& answered, const Doubt& doubt, double near);
+
+/// The tip of the branch that a doubt would add, else 0 [L].
+[[nodiscard]] Eigen::Vector3d tipOf(const Doubt& doubt);
+
+/// Answers as a project keeps them: [{"kind": "end", "node": 12, "said": 0.4, "spacings": 8.5,
+/// "wrong": true, "step": 31}]; of what is missing with "tip": [x, y, z]. Empty: none.
+[[nodiscard]] std::string textOf(const std::vector<AnsweredDoubt>& answered);
+
+/// Of an empty text, none.
+/// @throws Error if it is no such text
+[[nodiscard]] std::vector<AnsweredDoubt> answeredFrom(const std::string& text);
+
+} // namespace espalier

@@ -1,0 +1,495 @@
+#include "app/window/review/asking_flow.h"
+
+#include "app/window/edit/editing.h"
+#include "app/window/frame/action_set.h"
+#include "app/window/frame/key_hints.h"
+#include "app/window/frame/panel_dock.h"
+#include "core/base/error.h"
+#include "core/skeleton/path_edits.h"
+#include "ui/document/doubt_text.h"
+#include "ui/document/plant_document.h"
+#include "ui/panels/doubts_panel.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QScopedValueRollback>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace espalier {
+namespace {
+
+constexpr int mostAnswers = 4;
+constexpr std::size_t mostListed = 200; // that a person looks at
+
+std::vector<std::vector<Eigen::Vector3d>> linesOf(const Skeleton& part) {
+  std::vector<std::vector<Eigen::Vector3d>> lines;
+  for (const NodeId id : part.ids())
+    if (const auto parent = part[id].parent)
+      lines.push_back({part[*parent].position, part[id].position});
+  return lines;
+}
+
+} // namespace
+
+AskingFlow::AskingFlow(const Parts& parts) : parts_(parts) {
+  addActions();
+  makePanel();
+  connectParts();
+  refreshEnabled();
+  refreshPanel();
+}
+
+void AskingFlow::addActions() {
+  parts_.actions.beginSection(tr("Doubts"));
+  const auto add = [this](const char* id, const QString& text, const QString& help,
+                          const QKeySequence& keys, const std::function<void()>& act) {
+    QAction* action = parts_.actions.add({.id = id, .text = text, .help = help, .keys = keys}, act);
+    action->setAutoRepeat(false); // a key held down answers once
+    return action;
+  };
+  add("ask_doubts", tr("Ask About Doubts"),
+      tr("Goes to what the program is in doubt about, what matters most first, and asks"),
+      Qt::Key_F2, [this] { isAsking_ ? skip() : begin(); });
+  const std::array<QString, mostAnswers> texts = {tr("Answer 1"), tr("Answer 2"), tr("Answer 3"),
+                                                  tr("Answer 4")};
+  for (int i = 0; i < mostAnswers; ++i)
+    answers_.append(add(("answer_" + std::to_string(i + 1)).c_str(), texts[std::size_t(i)],
+                        tr("Takes the alternative with this number"), QKeySequence(Qt::Key_1 + i),
+                        [this, i] { answer(static_cast<std::size_t>(i)); }));
+  keys_ = answers_;
+  keys_.append(add("answer_none", tr("None of These"),
+                   tr("No alternative is right: marks the wood doubtful, to be corrected by hand"),
+                   Qt::Key_0, [this] { answerNone(); }));
+  keys_.append(add("skip_doubt", tr("Skip Doubt"),
+                   tr("Goes on; it is asked again after all others"), Qt::Key_Space,
+                   [this] { skip(); }));
+  keys_.append(add("take_back_answer", tr("Take Back Answer"),
+                   tr("Takes the last answer back, and asks again"), Qt::Key_Backspace,
+                   [this] { takeBack(); }));
+  keys_.append(add("stop_asking", tr("Stop Asking"), tr("Goes on without questions"), {},
+                   [this] { stopAsking(); }));
+  add("decide_rest", tr("Decide the Rest by Odds"),
+      tr("Shows what the odds, as answers have taught, would change; once more makes it, as one "
+         "step"),
+      {}, [this] { decideRest(); });
+  parts_.actions.place("review/doubts",
+                       {"ask_doubts", "answer_1", "answer_2", "answer_3", "answer_4", "answer_none",
+                        "skip_doubt", "take_back_answer", "stop_asking", "", "decide_rest"});
+}
+
+void AskingFlow::makePanel() {
+  const auto at = [this](const char* id) { return parts_.actions[id]; };
+  panel_ = new DoubtsPanel(parts_.document, {.ask = at("ask_doubts"),
+                                             .answers = {answers_.begin(), answers_.end()},
+                                             .none = at("answer_none"),
+                                             .skip = at("skip_doubt"),
+                                             .takeBack = at("take_back_answer"),
+                                             .decideRest = at("decide_rest")});
+  dock_ = addDock(new PanelDock({parts_.actions, parts_.settings, parts_.window},
+                                {.id = "doubts",
+                                 .title = tr("Doubts"),
+                                 .text = tr("Doubts Panel"),
+                                 .help = tr("Shows or hides what the program is in doubt about"),
+                                 .keys = QKeySequence(Qt::SHIFT | Qt::Key_F2)},
+                                besideThePlant, panel_, this));
+}
+
+void AskingFlow::connectParts() {
+  PlantDocument& document = parts_.document;
+  connect(&parts_.doubts, &DoubtsFlow::changed, this, &AskingFlow::followDoubts);
+  connect(dock_, &PanelDock::shown, this,
+          [this](bool isShown) { parts_.doubts.setWanted(DoubtsFlow::Use::panel, isShown); });
+  connect(panel_, &DoubtsPanel::chosen, this, [this](const Doubt& doubt) {
+    const auto act = [&] {
+      if (!isAsking_) begin();
+      goTo(doubt);
+      return true;
+    };
+    parts_.actions.guarded(act, Refusal::inBanner);
+  });
+  connect(&document, &PlantDocument::skeletonEdited, this, &AskingFlow::takeEdit);
+  connect(&document, &PlantDocument::unitChanged, this, &AskingFlow::refreshPanel);
+  connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
+    stopAsking();
+    skipped_.clear();
+    asked_.clear();
+    refreshEnabled();
+  });
+  for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::readOnlyChanged})
+    connect(&document, signal, this, &AskingFlow::refreshEnabled);
+}
+
+void AskingFlow::setEnabled(bool isEnabled) {
+  if (!isEnabled) stopAsking();
+  isEnabled_ = isEnabled;
+  refreshEnabled();
+}
+
+void AskingFlow::refreshEnabled() {
+  const bool isPossible = isEnabled_ && parts_.document.scan() != nullptr &&
+                          !parts_.document.skeleton().isEmpty() && !parts_.document.isReadOnly();
+  parts_.actions["ask_doubts"]->setEnabled(isPossible);
+  parts_.actions["decide_rest"]->setEnabled(isPossible && !parts_.doubts.doubts().empty());
+  for (QAction* key : keys_)
+    key->setEnabled(isAsking_ && isPossible);
+  for (int i = 0; i < answers_.size(); ++i)
+    answers_[i]->setEnabled(isAsking_ && isPossible && current_ && !isByHand_ &&
+                            static_cast<std::size_t>(i) < current_->alternatives.size());
+  parts_.actions["answer_none"]->setEnabled(isAsking_ && isPossible && current_ && !isByHand_);
+}
+
+void AskingFlow::begin() {
+  if (parts_.document.scan() == nullptr)
+    throw Error(tr("doubts follow from the points: open a scan first").toStdString());
+  parts_.document.requireEditable();
+  dock_->bringToFront();
+  isAsking_ = true;
+  isRestShown_ = false;
+  skipped_.clear();
+  borrowKeys();
+  parts_.doubts.setWanted(DoubtsFlow::Use::asking, true);
+  refreshEnabled();
+  isAwaited_ = parts_.doubts.doubts().empty() && parts_.doubts.isBusy();
+  if (isAwaited_)
+    emit noted(tr("Looking for doubts…"));
+  else
+    goOn();
+  emit hintChanged();
+}
+
+void AskingFlow::stopAsking() {
+  if (!isAsking_ && !isRestShown_) return;
+  isAsking_ = false;
+  isAwaited_ = false;
+  isByHand_ = false;
+  isRestShown_ = false;
+  current_.reset();
+  parts_.doubts.setWanted(DoubtsFlow::Use::asking, false);
+  giveKeysBack();
+  draw();
+  panel_->setCurrent(std::nullopt, false);
+  refreshEnabled();
+  emit hintChanged();
+}
+
+/// Other actions on its keys are without them while it asks.
+void AskingFlow::borrowKeys() {
+  for (QAction* other : parts_.actions.all()) {
+    if (keys_.contains(other)) continue;
+    const QList<QKeySequence> had = other->shortcuts();
+    QList<QKeySequence> left = had;
+    for (const QAction* own : keys_)
+      for (const QKeySequence& key : own->shortcuts())
+        left.removeAll(key);
+    if (left == had) continue;
+    borrowed_.emplace_back(other, had);
+    other->setShortcuts(left);
+  }
+}
+
+void AskingFlow::giveKeysBack() {
+  for (const auto& [action, keys] : borrowed_)
+    if (action) action->setShortcuts(keys);
+  borrowed_.clear();
+}
+
+bool AskingFlow::isSkipped(const Doubt& doubt) const {
+  return std::ranges::any_of(skipped_, [&](const Doubt& one) { return isSame(one, doubt, 0); });
+}
+
+void AskingFlow::goOn() {
+  const std::vector<Doubt>& doubts = parts_.doubts.doubts();
+  auto next = std::ranges::find_if(doubts, [this](const Doubt& one) { return !isSkipped(one); });
+  if (next == doubts.end() && !doubts.empty()) {
+    skipped_.clear(); // all others were asked
+    next = doubts.begin();
+  }
+  if (next != doubts.end()) return goTo(*next);
+  if (parts_.doubts.isBusy()) {
+    isAwaited_ = true;
+    return;
+  }
+  stopAsking();
+  emit noted(tr("Nothing is in doubt any more"));
+}
+
+void AskingFlow::goTo(const Doubt& doubt) {
+  current_ = doubt;
+  isByHand_ = false;
+  isAwaited_ = false;
+  parts_.document.selection().set(doubt.nodes.empty() ? std::vector<NodeId>{doubt.node}
+                                                      : doubt.nodes);
+  parts_.editing.actOnSelected();
+  draw();
+  fly();
+  panel_->setCurrent(current_, false);
+  refreshEnabled();
+  emit hintChanged();
+}
+
+/// The line of the wood in doubt, with the edge to what bears it.
+std::vector<Eigen::Vector3d> AskingFlow::woodOf(const Doubt& doubt) const {
+  const Skeleton& skeleton = parts_.document.skeleton();
+  std::vector<Eigen::Vector3d> line;
+  if (doubt.nodes.empty()) return line;
+  if (const auto foot = skeleton[doubt.node].parent) line.push_back(skeleton[*foot].position);
+  for (const NodeId id : doubt.nodes)
+    line.push_back(skeleton[id].position);
+  return line;
+}
+
+ShownGhost AskingFlow::ghostOf(const Doubt& doubt, const Alternative& one) const {
+  const Skeleton& skeleton = parts_.document.skeleton();
+  const auto place = [&](NodeId id) { return skeleton[id].position; };
+  ShownGhost ghost;
+  const bool hasOthers = std::ranges::any_of(
+      doubt.alternatives, [](const Alternative& each) { return each.onto.has_value(); });
+  switch (one.kind) {
+  case Alternative::Kind::asItIs: {
+    ghost.look = ShownGhost::Look::present;
+    std::vector<Eigen::Vector3d> line = woodOf(doubt);
+    if (hasOthers && line.size() > 2) line.resize(2); // where it is attached
+    if (!line.empty()) ghost.lines.push_back(std::move(line));
+    break;
+  }
+  case Alternative::Kind::remove: {
+    ghost.look = ShownGhost::Look::removed;
+    std::vector<Eigen::Vector3d> line = woodOf(doubt);
+    if (line.size() > 2) line.erase(line.begin()); // the present one has the edge at its foot
+    ghost.lines.push_back(std::move(line));
+    break;
+  }
+  case Alternative::Kind::attach:
+    ghost.lines.push_back({place(*one.onto), place(doubt.node)});
+    break;
+  case Alternative::Kind::add:
+    ghost.lines = linesOf(one.branch->part);
+    break;
+  }
+  return ghost;
+}
+
+void AskingFlow::draw() {
+  std::vector<ShownGhost> ghosts;
+  if (isRestShown_) {
+    for (const Doubt& doubt : parts_.doubts.doubts())
+      if (doubt.present != 0 && doubt.alternatives.front().probability >= 0.5)
+        ghosts.push_back(ghostOf(doubt, doubt.alternatives.front()));
+  } else if (current_ && !isByHand_) {
+    for (std::size_t i = 0; i < current_->alternatives.size(); ++i) {
+      ghosts.push_back(ghostOf(*current_, current_->alternatives[i]));
+      ghosts.back().number = static_cast<int>(i) + 1;
+    }
+  }
+  parts_.view.showGhosts(std::move(ghosts));
+}
+
+/// To where most of it is seen, and the alternatives apart.
+void AskingFlow::fly() {
+  const Skeleton& skeleton = parts_.document.skeleton();
+  Sight sight{.nodes = current_->nodes};
+  if (sight.nodes.empty()) sight.nodes.push_back(current_->node);
+  const bool isAttachment = current_->kind == Doubt::Kind::attachment;
+  constexpr std::size_t meant = 3; // of wood that may grow elsewhere: its foot says from where
+  if (isAttachment && sight.nodes.size() > meant) sight.nodes.resize(meant);
+  Eigen::AlignedBox3d box;
+  for (const Alternative& one : current_->alternatives) {
+    const ShownGhost ghost = ghostOf(*current_, one);
+    std::vector<Eigen::Vector3d> all;
+    for (const std::vector<Eigen::Vector3d>& line : ghost.lines)
+      for (const Eigen::Vector3d& place : line) {
+        all.push_back(place);
+        sight.places.push_back(place);
+        box.extend(place);
+      }
+    const bool isOther = one.kind == Alternative::Kind::attach ||
+                         (one.kind == Alternative::Kind::asItIs && !all.empty());
+    if (isOther) sight.apart.push_back(std::move(all));
+  }
+  for (const NodeId id : sight.nodes)
+    box.extend(skeleton[id].position);
+  sight.margin = std::max(box.diagonal().norm() / 2, 2 * meanEdgeLength(skeleton));
+  const Camera camera = parts_.view.cameraToSee(sight);
+  const QString note = parts_.reveal(sight.nodes, sight.places, camera);
+  parts_.view.flyTo(camera, focusOn(skeleton, sight));
+  emit noted(note); // or what is asked is seen in the status line
+}
+
+void AskingFlow::answer(std::size_t alternative) {
+  if (!current_ || alternative >= current_->alternatives.size()) return;
+  const Doubt doubt = *current_;
+  {
+    const QScopedValueRollback own(isOwnEdit_, true);
+    parts_.doubts.answer(doubt, alternative);
+  }
+  asked_.push_back(doubt);
+  current_.reset();
+  goOn();
+}
+
+void AskingFlow::answerNone() {
+  if (!current_) return;
+  const QScopedValueRollback own(isOwnEdit_, true);
+  parts_.doubts.answerNone(*current_);
+  asked_.push_back(*current_);
+  isByHand_ = true;
+  draw();
+  panel_->setCurrent(current_, true);
+  refreshEnabled();
+  emit hintChanged();
+}
+
+void AskingFlow::skip() {
+  if (current_ && !isByHand_) skipped_.push_back(*current_);
+  current_.reset();
+  goOn();
+}
+
+void AskingFlow::takeBack() {
+  {
+    const QScopedValueRollback own(isOwnEdit_, true);
+    parts_.doubts.takeBack();
+  }
+  if (asked_.empty()) return goOn();
+  const Doubt doubt = asked_.back();
+  asked_.pop_back();
+  if (isThere(doubt, parts_.document.skeleton())) return goTo(doubt);
+  current_.reset();
+  goOn();
+}
+
+/// Any edit of the wood that is asked about answers it.
+void AskingFlow::takeEdit(const SkeletonDelta& delta) {
+  if (isRestShown_) stopAsking();
+  if (!isAsking_ || isOwnEdit_ || !current_) return;
+  const auto isOfIt = [this](const SkeletonDelta::Change& change) {
+    return change.id == current_->node ||
+           std::ranges::find(current_->nodes, change.id) != current_->nodes.end();
+  };
+  const bool isGone = !isThere(*current_, parts_.document.skeleton());
+  if (!isGone && !std::ranges::any_of(delta.changes, isOfIt)) return;
+  const bool isUndo = parts_.document.undoStack().canRedo();
+  const Doubt doubt = *current_;
+  current_.reset();
+  draw();
+  if (!isByHand_ && !isUndo) {
+    // The edit is a step only once it is done.
+    QMetaObject::invokeMethod(
+        this,
+        [this, doubt] {
+          parts_.doubts.takeEdit(doubt);
+          asked_.push_back(doubt);
+          if (isAsking_ && !current_) goOn();
+        },
+        Qt::QueuedConnection);
+    return;
+  }
+  QMetaObject::invokeMethod(
+      this,
+      [this] {
+        if (isAsking_ && !current_) goOn();
+      },
+      Qt::QueuedConnection);
+}
+
+void AskingFlow::decideRest() {
+  if (isAsking_) stopAsking();
+  const auto changes = std::ranges::count_if(parts_.doubts.doubts(), [](const Doubt& doubt) {
+    return doubt.present != 0 && doubt.alternatives.front().probability >= 0.5;
+  });
+  if (changes == 0) {
+    emit noted(parts_.doubts.isBusy() ? tr("Looking for doubts…")
+                                      : tr("The odds would change nothing of what is left"));
+    return;
+  }
+  if (!isRestShown_) {
+    dock_->bringToFront();
+    isRestShown_ = true;
+    draw();
+    parts_.view.frameAll();
+    emit noted(changes == 1
+                   ? tr("1 change is shown: the same command makes it, Esc drops it")
+                   : tr("%1 changes are shown: the same command makes them, Esc drops them")
+                         .arg(formatCount(static_cast<std::size_t>(changes))));
+    emit hintChanged();
+    return;
+  }
+  isRestShown_ = false;
+  draw();
+  const std::size_t made = parts_.doubts.decideRest();
+  emit reported({.text = made == 1
+                             ? tr("1 place is decided by its odds")
+                             : tr("%1 places are decided by their odds").arg(formatCount(made)),
+                 .isStep = true});
+}
+
+void AskingFlow::followDoubts() {
+  refreshPanel();
+  refreshEnabled();
+  if (isRestShown_) draw();
+  if (!isAsking_) return;
+  if (isAwaited_ && !parts_.doubts.isBusy()) {
+    isAwaited_ = false;
+    goOn();
+  }
+}
+
+void AskingFlow::refreshPanel() {
+  std::vector<Doubt> doubts = parts_.doubts.doubts();
+  const std::size_t all = doubts.size();
+  if (doubts.size() > mostListed) doubts.resize(mostListed);
+  panel_->show(doubts, all);
+  panel_->showAgreement(agreementText());
+  panel_->showNote(noteText());
+}
+
+/// "About 94 % of the length is right; 40 answers would make it 98 %."
+QString AskingFlow::agreementText() const {
+  const std::optional<ExpectedAgreement> expected = parts_.doubts.expected();
+  if (!expected) return {};
+  const auto percent = [](double share) { return std::lround(100 * share); };
+  QString text = tr("About %1 % of the length is right").arg(percent(expected->share()));
+  const std::size_t doubts = parts_.doubts.doubts().size();
+  for (const double goal : {0.8, 0.85, 0.9, 0.95, 0.98, 0.99}) {
+    if (goal < expected->share() + 0.01) continue;
+    const std::size_t answers = parts_.doubts.answersFor(goal);
+    if (answers > doubts) break;
+    return text + (answers == 1 ? tr("; 1 answer would make it %1 %").arg(percent(goal))
+                                : tr("; %1 answers would make it %2 %")
+                                      .arg(formatCount(answers))
+                                      .arg(percent(goal)));
+  }
+  return text;
+}
+
+QString AskingFlow::noteText() const {
+  if (parts_.document.skeleton().isEmpty()) return tr("There is no skeleton to ask about yet");
+  if (parts_.document.scan() == nullptr) return tr("Open a scan: doubts follow from its points");
+  if (parts_.doubts.isBusy()) return tr("Looking for doubts…");
+  if (parts_.doubts.isKnown() && parts_.doubts.doubts().empty()) return tr("Nothing is in doubt");
+  return parts_.doubts.doubts().size() > mostListed ? tr("The first %1 are listed").arg(mostListed)
+                                                    : QString();
+}
+
+QString AskingFlow::hint() const {
+  if (isRestShown_)
+    return withKeys(tr("Decide the Rest by Odds: once more makes the changes   {leave} drops them"),
+                    parts_.actions);
+  if (!isAsking_ || parts_.editing.isPending()) return {};
+  if (isByHand_)
+    return withKeys(tr("Correct it with any tool   {skip_doubt} goes on   {take_back_answer} takes "
+                       "back   {leave} ends"),
+                    parts_.actions);
+  if (!current_) return tr("Looking for doubts…");
+  QStringList parts = {questionOf(*current_, parts_.document.unit())};
+  for (std::size_t i = 0; i < current_->alternatives.size(); ++i)
+    parts.append(QString("%1 %2").arg(i + 1).arg(textOf(*current_, current_->alternatives[i])));
+  parts.append(withKeys(tr("{answer_none} none   {skip_doubt} skip   {take_back_answer} back"),
+                        parts_.actions));
+  return parts.join("   ");
+}
+
+} // namespace espalier

@@ -1,0 +1,269 @@
+#include "app/window/review/doubts_flow.h"
+
+#include "core/base/error.h"
+#include "core/base/spatial_index.h"
+#include "core/decide/error_ratings.h"
+#include "core/doubt/find_doubts.h"
+#include "core/graph/turn_upright.h"
+#include "ui/document/doubt_text.h"
+#include "ui/document/plant_document.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+/// Whether an edit changes more than marks, comments and what else doubts do not follow from.
+bool changesWoodOf(const SkeletonDelta::Change& change) {
+  if (!change.before || !change.after) return true;
+  const Node& a = *change.before;
+  const Node& b = *change.after;
+  return a.position != b.position || a.radius != b.radius || a.parent != b.parent ||
+         a.edge != b.edge;
+}
+
+bool isTouched(const Doubt& doubt, const SkeletonDelta& delta) {
+  return std::ranges::any_of(delta.changes, [&](const SkeletonDelta::Change& change) {
+    return changesWoodOf(change) &&
+           (change.id == doubt.node ||
+            std::ranges::find(doubt.nodes, change.id) != doubt.nodes.end());
+  });
+}
+
+bool isReviewed(const Doubt& doubt, const Skeleton& skeleton) {
+  return std::ranges::any_of(doubt.nodes, [&](NodeId id) {
+    return skeleton.contains(id) && skeleton[id].review.state != ReviewState::toDo;
+  });
+}
+
+} // namespace
+
+DoubtsFlow::DoubtsFlow(const Parts& parts)
+    : parts_(parts), job_(parts.queue, JobPriority::background) {
+  timer_.setSingleShot(true);
+  connect(&timer_, &QTimer::timeout, this, &DoubtsFlow::refresh);
+  PlantDocument& document = parts_.document;
+  connect(&document, &PlantDocument::skeletonEdited, this, &DoubtsFlow::take);
+  for (auto signal : {&PlantDocument::skeletonReplaced, &PlantDocument::scanChanged,
+                      &PlantDocument::leftOutChanged, &PlantDocument::upChanged})
+    connect(&document, signal, this, &DoubtsFlow::dropAll);
+  connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
+    answered_.clear(); // a project shows its own once its skeleton is there
+    learnAnew();
+  });
+  connect(&document.undoStack(), &QUndoStack::indexChanged, this, [this] {
+    if (!answered_.empty()) learnAnew(); // a step may be undone
+  });
+  connect(&parts_.distances, &ScanDistances::changed, this, [this] {
+    if (!uses_.empty() && isOutdated_) timer_.start(0);
+  });
+  connect(&job_, &JobSlot::failed, this, [this](const QString& message) {
+    isOutdated_ = false;
+    emit noted(message);
+  });
+  connect(&job_, &JobSlot::finished, this, &DoubtsFlow::changed);
+  keepInProject({.name = "answered_doubts",
+                 .text = [this] { return textOf(answered_); },
+                 .show =
+                     [this](const std::string& text) {
+                       answered_.clear();
+                       learnAnew();
+                       answered_ = answeredFrom(text);
+                       learnAnew();
+                     }});
+}
+
+void DoubtsFlow::setWanted(Use use, bool isWanted) {
+  const bool wasWanted = !uses_.empty();
+  if (isWanted)
+    uses_.insert(use);
+  else
+    uses_.erase(use);
+  if (wasWanted == !uses_.empty()) return;
+  parts_.distances.setWanted(ScanDistances::Use::doubts, !uses_.empty());
+  if (!uses_.empty() && isOutdated_) timer_.start(0);
+}
+
+bool DoubtsFlow::isBusy() const {
+  return !uses_.empty() && isOutdated_ && parts_.document.scan() != nullptr &&
+         !parts_.document.skeleton().isEmpty();
+}
+
+void DoubtsFlow::take(const SkeletonDelta& delta) {
+  if (std::ranges::any_of(delta.changes, changesWoodOf)) {
+    isOutdated_ = true;
+    ++changes_;
+    std::erase_if(found_, [&](const Doubt& doubt) {
+      return isTouched(doubt, delta) || !isThere(doubt, parts_.document.skeleton());
+    });
+    if (!uses_.empty()) timer_.start(100); // [ms]: a drag is looked at when it rests
+  }
+  list();
+}
+
+void DoubtsFlow::dropAll() {
+  found_.clear();
+  ratings_.reset();
+  isOutdated_ = true;
+  ++changes_;
+  job_.cancel();
+  if (!uses_.empty()) timer_.start(0);
+  list();
+}
+
+void DoubtsFlow::refresh() {
+  const std::shared_ptr<const PointDistances> distances = parts_.distances.now();
+  if (uses_.empty() || !isOutdated_ || !distances || parts_.document.scan() == nullptr) return;
+  job_.start(
+      tr("Looking for doubts"),
+      [distances, skeleton = parts_.document.skeleton(), scale = parts_.document.scale(),
+       limits = parts_.limits(),
+       up = Eigen::Vector3d(turnUpright(parts_.document.up()).row(2).transpose())](
+          const Progress& progress) {
+        const SpatialIndex index(distances->cloud()->positions(), progress);
+        return FoundDoubts{
+            findDoubts(skeleton,
+                       {.distances = *distances,
+                        .index = index,
+                        .scale = scale,
+                        .up = up,
+                        .limits = limits},
+                       progress.part(0, 0.5)),
+            errorRatings(skeleton, *distances, index, scale, up, progress.part(0.5, 1))};
+      },
+      [this, changes = changes_](FoundDoubts found) {
+        ratings_ = std::move(found.ratings);
+        found_ = std::move(found.doubts);
+        std::erase_if(found_, [this](const Doubt& doubt) {
+          return !isThere(doubt, parts_.document.skeleton());
+        });
+        isOutdated_ = changes != changes_; // it was edited meanwhile
+        if (isOutdated_) timer_.start(0);
+        list();
+      });
+}
+
+/// What is still to be asked: neither answered nor reviewed.
+void DoubtsFlow::list() {
+  const double spacing = parts_.document.scale().spacing;
+  const Skeleton& skeleton = parts_.document.skeleton();
+  std::vector<Doubt> left;
+  for (const Doubt& doubt : found_) {
+    const bool isAnswered = std::ranges::any_of(answered_, [&](const AnsweredDoubt& answered) {
+      return holds(answered) && isAbout(answered, doubt, 4 * spacing);
+    });
+    if (!isAnswered && !isReviewed(doubt, skeleton)) left.push_back(doubt);
+  }
+  doubts_ = learned_.adjusted(std::move(left), spacing);
+  emit changed();
+}
+
+bool DoubtsFlow::holds(const AnsweredDoubt& answered) const {
+  return answered.step == StepId{} || parts_.document.isDone(answered.step);
+}
+
+void DoubtsFlow::learnAnew() {
+  std::vector<LearnedAnswer> answers;
+  for (const AnsweredDoubt& answered : answered_)
+    if (holds(answered)) answers.push_back(answered.learned);
+  if (answers == learned_.answers()) return;
+  learned_ = LearnedOdds(std::move(answers));
+  list();
+}
+
+void DoubtsFlow::note(const Doubt& doubt, bool wasWrong, StepId step) {
+  const double spacing = parts_.document.scale().spacing;
+  const auto fitted =
+      std::ranges::find_if(found_, [&](const Doubt& other) { return isSame(doubt, other, 0); });
+  answered_.push_back(
+      {.kind = doubt.kind,
+       .node = doubt.node,
+       .tip = tipOf(doubt),
+       .learned = learnedFrom(fitted != found_.end() ? *fitted : doubt, wasWrong, spacing),
+       .step = step});
+}
+
+StepId DoubtsFlow::editAs(const QString& text, const std::function<void(SkeletonEditor&)>& change) {
+  PlantDocument& document = parts_.document;
+  const int before = document.undoStack().index();
+  document.edit(text, change);
+  const int now = document.undoStack().index();
+  return now > before ? document.step(now - 1).id : StepId{};
+}
+
+void DoubtsFlow::answer(const Doubt& doubt, std::size_t alternative) {
+  const Alternative& chosen = doubt.alternatives[alternative];
+  const Doubt asked = doubt; // an edit lists others
+  parts_.document.requireEditable();
+  const StepId step =
+      editAs(tr("Answer: %1").arg(textOf(asked, chosen)), [&](SkeletonEditor& editor) {
+        settle(editor, asked, asked.alternatives[alternative], parts_.reviewer().toStdString());
+      });
+  note(asked, alternative != asked.present, step);
+  learnAnew();
+  list();
+  emit keptChanged();
+}
+
+void DoubtsFlow::answerNone(const Doubt& doubt) {
+  const Doubt asked = doubt;
+  parts_.document.requireEditable();
+  const StepId step = editAs(tr("Answer: none of these"), [&](SkeletonEditor& editor) {
+    for (const NodeId id : asked.nodes)
+      editor.setReview(id, {.state = ReviewState::doubtful,
+                            .comment = editor.skeleton()[id].review.comment,
+                            .reviewer = parts_.reviewer().toStdString()});
+  });
+  note(asked, true, step);
+  learnAnew();
+  list();
+  emit keptChanged();
+}
+
+void DoubtsFlow::takeEdit(const Doubt& doubt) {
+  const PlantDocument& document = parts_.document;
+  const int now = parts_.document.undoStack().index();
+  note(doubt, true, now > 0 ? document.step(now - 1).id : StepId{});
+  learnAnew();
+  list();
+  emit keptChanged();
+}
+
+void DoubtsFlow::takeBack() {
+  const auto last = std::find_if(answered_.rbegin(), answered_.rend(),
+                                 [this](const AnsweredDoubt& one) { return holds(one); });
+  if (last == answered_.rend()) throw Error(tr("no answer is left to be taken back").toStdString());
+  QUndoStack& stack = parts_.document.undoStack();
+  if (last->step != StepId{}) {
+    parts_.document.requireEditable();
+    if (stack.index() == 0 || parts_.document.step(stack.index() - 1).id != last->step)
+      throw Error(tr("other edits came after that answer: undo them first").toStdString());
+    stack.undo(); // learns anew; redo answers again
+  } else {
+    answered_.erase(std::next(last).base());
+    learnAnew();
+  }
+  list();
+  emit keptChanged();
+}
+
+std::size_t DoubtsFlow::decideRest() {
+  std::size_t changed = 0;
+  const std::vector<Doubt> rest = doubts_;
+  parts_.document.edit(tr("Decide by odds"),
+                       [&](SkeletonEditor& editor) { changed = decideByOdds(editor, rest); });
+  return changed;
+}
+
+std::optional<ExpectedAgreement> DoubtsFlow::expected() const {
+  const Skeleton& skeleton = parts_.document.skeleton();
+  if (!ratings_ || ratings_->ofEdges.size() < skeleton.idEnd()) return std::nullopt;
+  return expectedAgreement(skeleton, *ratings_, doubts_);
+}
+
+std::size_t DoubtsFlow::answersFor(double share) const {
+  return espalier::answersFor(share, parts_.document.skeleton(), *ratings_, doubts_);
+}
+
+} // namespace espalier

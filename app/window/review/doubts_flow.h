@@ -1,0 +1,96 @@
+#pragma once
+
+#include "app/window/frame/scan_distances.h"
+#include "app/window/frame/window_part.h"
+#include "app/window/review/answered_doubts.h"
+#include "core/doubt/expected_agreement.h"
+#include "core/skeleton/check_options.h"
+#include "ui/jobs/job_slot.h"
+
+#include <QTimer>
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace espalier {
+
+class PlantDocument;
+
+/// What is in doubt about the plant, and what was answered: found by a job, and a moment after an
+/// edit that moves or attaches anything by another. Until that ends, what the edit has not touched
+/// stays listed. Odds are as answers have taught. Nothing is found while nobody wants it.
+class DoubtsFlow : public WindowPart {
+  Q_OBJECT
+
+public:
+  /// All must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    JobQueue& queue;
+    ScanDistances& distances;
+    std::function<CheckOptions()> limits; // of the checks
+    std::function<QString()> reviewer;
+  };
+  explicit DoubtsFlow(const Parts& parts);
+
+  enum class Use : std::uint8_t { panel, asking };
+  void setWanted(Use use, bool isWanted);
+
+  /// Those that are to be asked, by their gain as learned.
+  [[nodiscard]] const std::vector<Doubt>& doubts() const { return doubts_; }
+  [[nodiscard]] bool isKnown() const { return ratings_.has_value(); } // they were found once
+  /// Those of the plant as it is are being found.
+  [[nodiscard]] bool isBusy() const override;
+  /// What of the plant is right, as the odds say; none: it is not known.
+  [[nodiscard]] std::optional<ExpectedAgreement> expected() const;
+  /// As answersFor(). pre: isKnown()
+  [[nodiscard]] std::size_t answersFor(double share) const;
+  [[nodiscard]] std::size_t answers() const { return learned_.answers().size(); }
+
+  /// Makes the plant what an alternative says, as one undo step, and learns from it.
+  /// @throws Error if it is refused
+  void answer(const Doubt& doubt, std::size_t alternative);
+  /// None of the alternatives is right: the wood is marked doubtful. @throws Error likewise
+  void answerNone(const Doubt& doubt);
+  /// An edit by hand has answered it: the plant was wrong there.
+  void takeEdit(const Doubt& doubt);
+  /// Takes back the last answer that still holds, the doubt of which is asked again.
+  /// @throws Error if there is none, or if other edits were made since
+  void takeBack();
+  /// As decideByOdds(), as one undo step. @return how many doubts changed the plant
+  std::size_t decideRest();
+
+signals:
+  void changed();
+
+private:
+  struct FoundDoubts {
+    std::vector<Doubt> doubts;
+    ErrorRatings ratings;
+  };
+  void take(const SkeletonDelta& delta);
+  void dropAll();
+  void refresh();
+  void list();
+  void note(const Doubt& doubt, bool wasWrong, StepId step);
+  [[nodiscard]] StepId editAs(const QString& text,
+                              const std::function<void(SkeletonEditor&)>& change);
+  [[nodiscard]] bool holds(const AnsweredDoubt& answered) const;
+  void learnAnew();
+
+  Parts parts_;
+  QTimer timer_;
+  std::set<Use> uses_;
+  std::vector<Doubt> found_; // with odds as they were fitted
+  std::vector<Doubt> doubts_;
+  std::optional<ErrorRatings> ratings_;
+  LearnedOdds learned_;
+  std::vector<AnsweredDoubt> answered_; // also those whose step is undone, which may be redone
+  bool isOutdated_ = true;              // they are not of the plant as it is
+  int changes_ = 0;                     // of it
+  JobSlot job_;
+};
+
+} // namespace espalier

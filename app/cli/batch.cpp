@@ -2,6 +2,7 @@
 #include "app/cli/batch_manifest.h"
 #include "app/cli/batch_summary.h"
 #include "app/cli/commands.h"
+#include "app/cli/doubt_numbers.h"
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
 #include "app/cli/terminal.h"
@@ -11,6 +12,8 @@
 #include "core/pipeline/preset.h"
 #include "core/project/content_hash.h"
 #include "core/skeleton/axes.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -44,6 +47,9 @@ struct Batch {
 
   [[nodiscard]] fs::path output(const BatchPlant& plant) const {
     return folder / (plant.name + ".mtg");
+  }
+  [[nodiscard]] fs::path doubts(const BatchPlant& plant) const {
+    return folder / (plant.name + ".doubts.json");
   }
 };
 
@@ -136,18 +142,25 @@ void reconstruct(const Batch& batch, const BatchPlant& plant, const Progress& pr
   PipelineOptions options = batch.options;
   options.root = plant.root;
   const bool isJudged = !plant.reference.empty();
-  const Reconstruction result = about(plant.scan.string(), [&] {
-    return Pipeline().run(cloud, options, progress.part(0.2, isJudged ? 0.8 : 1));
-  });
+  const Reconstruction result = about(
+      plant.scan.string(), [&] { return Pipeline().run(cloud, options, progress.part(0.2, 0.8)); });
   describe(*cloud, result, row);
   row.notes = scan.notes;
   for (const std::string& note : notesOf(result))
     row.notes.push_back(note);
   if (isJudged)
     judge(*result.skeleton, plant.reference, batch.registration, result.scale.spacing,
-          progress.part(0.8, 1, "Compare"), row);
+          progress.part(0.8, 0.9, "Compare"), row);
+  const nlohmann::ordered_json inDoubt =
+      doubtNumbers(cloud, result, options.up, progress.part(isJudged ? 0.9 : 0.8, 1, "Doubts"));
+  if (!inDoubt.is_null()) {
+    row.expectedRight = shortNumber(inDoubt["expected_right"].get<double>(), "%.3f");
+    row.doubts = std::to_string(inDoubt["count"].get<std::size_t>());
+  }
   progress.check();
   requireOutput(batch.output(plant).string(), {plant.scan.string()});
+  requireOutput(batch.doubts(plant).string(), {plant.scan.string()});
+  writeAtomically(batch.doubts(plant), [&](std::ostream& out) { out << textOf(inDoubt) << '\n'; });
   writeStructure(batch.output(plant), {.skeleton = *result.skeleton}, batch.mtgStyle);
 }
 
@@ -209,7 +222,10 @@ void requireOtherOutput(const Batch& batch, const BatchFlags& flags) {
                   ": is what is read, and would be replaced: choose another folder");
   };
   for (const BatchPlant& plant : batch.plants)
-    if (plant.problem.empty()) require(batch.output(plant));
+    if (plant.problem.empty()) {
+      require(batch.output(plant));
+      require(batch.doubts(plant));
+    }
   require(batch.folder / "summary.csv");
 }
 

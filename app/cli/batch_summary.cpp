@@ -45,7 +45,9 @@ const std::vector<Column>& columns() {
                                 columnOf("tips", &BatchResult::tips),
                                 columnOf("length", &BatchResult::length),
                                 columnOf("height", &BatchResult::height),
-                                columnOf("root_radius", &BatchResult::rootRadius)};
+                                columnOf("root_radius", &BatchResult::rootRadius),
+                                columnOf("expected_right", &BatchResult::expectedRight),
+                                columnOf("doubts", &BatchResult::doubts)};
     addScores(made, false);
     made.push_back(columnOf("distance", &BatchResult::distance));
     addScores(made, true);

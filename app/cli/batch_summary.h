@@ -13,6 +13,7 @@ struct BatchResult {
   bool isDone = false; // false: it failed
   std::string inputs;  // hash of the scan, the reference and all that was asked for
   std::string points, spacing, nodes, tips, length, height, rootRadius; // lengths in [L]
+  std::string expectedRight, doubts; // as doubtNumbers() has them
   std::map<std::string, std::string> scores =
       {};               // by key: scoresIn(inBrief), if there is a reference
   std::string distance; // of those that take one

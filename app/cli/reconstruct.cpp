@@ -1,5 +1,6 @@
 #include "app/cli/arguments.h"
 #include "app/cli/commands.h"
+#include "app/cli/doubt_numbers.h"
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
 #include "app/cli/statistics.h"
@@ -25,7 +26,7 @@ struct Task {
   const char* outputHelp;
 };
 
-void writeStatistics(const PipelineFlags& flags, const PointCloud& cloud,
+void writeStatistics(const PipelineFlags& flags, const std::shared_ptr<const PointCloud>& cloud,
                      const nlohmann::ordered_json& part, const PipelineOptions& options,
                      const Reconstruction& result, const TerminalProgress& terminal) {
   if (flags.json.empty()) return;
@@ -33,10 +34,13 @@ void writeStatistics(const PipelineFlags& flags, const PointCloud& cloud,
       {"scan", flags.scan},
       {"part", part},
       {"unit", flags.unit.empty() ? nlohmann::json(nullptr) : nlohmann::json(flags.unit)},
-      {"cloud", statistics(cloud)}};
+      {"cloud", statistics(*cloud)}};
   if (!result.skeleton->isEmpty()) json["skeleton"] = statistics(*result.skeleton);
-  json["quality"] = statistics(qualityOf(cloud, result, options), !result.skeleton->isEmpty());
+  json["quality"] = statistics(qualityOf(*cloud, result, options), !result.skeleton->isEmpty());
   json.update(statistics(result, terminal.stageSeconds()));
+  if (!result.skeleton->isEmpty())
+    json["in_doubt"] = doubtNumbers(cloud, result, options.up, terminal.progress());
+  terminal.clear();
   writeJson(flags.json, json);
 }
 
@@ -74,7 +78,7 @@ void run(const PipelineFlags& flags, const Task& task) {
   } else {
     writeAndReport(flags.output, *cloud, *result.contracted, terminal.progress());
   }
-  writeStatistics(flags, *cloud, part, options, result, terminal);
+  writeStatistics(flags, cloud, part, options, result, terminal);
 }
 
 CLI::App* add(CLI::App& app, const std::string& name, const std::string& help, const Task& task) {

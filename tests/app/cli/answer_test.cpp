@@ -28,6 +28,18 @@ TEST_F(Answer, PrintsScoresAndWritesThePlantAndTheNumbers) {
   EXPECT_THAT(bytesOf(file("answered.mtg")), HasSubstr("CODE"));
 }
 
+TEST_F(Answer, WouldBeAskedForByTheNumbersOfAReconstruction) {
+  run({"reconstruct", scan_, "-o", file("tree.mtg"), "--json", file("tree.json")});
+  const auto inDoubt = nlohmann::json::parse(bytesOf(file("tree.json")))["in_doubt"];
+  EXPECT_GT(inDoubt["expected_right"], 0.8);
+  EXPECT_LE(inDoubt["expected_right"], 1);
+  ASSERT_EQ(inDoubt["doubts"].size(), inDoubt["count"]);
+  ASSERT_GT(inDoubt["doubts"].size(), 3U);
+  const auto& first = inDoubt["doubts"].front();
+  EXPECT_GE(first["gain"], inDoubt["doubts"].back()["gain"]);
+  EXPECT_EQ(first["alternatives"][first["present"].get<std::size_t>()]["kind"], "as_it_is");
+}
+
 TEST_F(Answer, RefusesWhatItCannotDo) {
   expectRefusal(runProgram({"answer", scan_}), 2, {"--oracle"});
   expectRefusal(runProgram({"answer", scan_, "--oracle", truth_, "--order", "size"}), 2,

@@ -78,7 +78,8 @@ TEST_F(Batch, ReconstructsEachPlantAndReportsItInALine) {
   const Outcome outcome = run();
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err, "espalier: wrote " + (results_ / "summary.csv").string() + ": 2 plants\n");
-  EXPECT_THAT(namesIn(results_), ElementsAre("my tree.mtg", "stick.mtg", "summary.csv"));
+  EXPECT_THAT(namesIn(results_), ElementsAre("my tree.doubts.json", "my tree.mtg",
+                                             "stick.doubts.json", "stick.mtg", "summary.csv"));
   const Skeleton stick = readStructure(results_ / "stick.mtg").value.skeleton;
   EXPECT_EQ(cell("stick", "status"), "done");
   EXPECT_EQ(cell("stick", "points"), "400");
@@ -166,7 +167,7 @@ TEST_F(Batch, GoesOnAfterABadPlantAndNamesItInTheEnd) {
   EXPECT_THAT(outcome.err, HasSubstr("\nespalier: bad: "));
   EXPECT_THAT(outcome.err, HasSubstr("\nespalier: missing: "));
   EXPECT_THAT(outcome.err, HasSubstr("\nespalier: 2 of 3 plants failed: "));
-  EXPECT_THAT(namesIn(results_), ElementsAre("stick.mtg", "summary.csv"));
+  EXPECT_THAT(namesIn(results_), ElementsAre("stick.doubts.json", "stick.mtg", "summary.csv"));
   EXPECT_EQ(cell("stick", "status"), "done");
   EXPECT_EQ(cell("bad", "status"), "failed");
   EXPECT_THAT(cell("bad", "problem"), HasSubstr("bad.xyz, line 2"));
@@ -182,7 +183,7 @@ TEST_F(Batch, TakesAPlantWhoseLineIsWrongForAFailedOne) {
                                      ", line 2: root '1 2': write lowest, or three numbers as X Y "
                                      "Z\n"));
   EXPECT_THAT(outcome.err, HasSubstr("\nespalier: 4 of 5 plants failed: "));
-  EXPECT_THAT(namesIn(results_), ElementsAre("d.mtg", "summary.csv"));
+  EXPECT_THAT(namesIn(results_), ElementsAre("d.doubts.json", "d.mtg", "summary.csv"));
   EXPECT_EQ(cell("d", "status"), "done");
   EXPECT_EQ(cell("a", "status"), "failed");
   EXPECT_THAT(cell("b", "problem"), HasSubstr("line 3: no scan is named"));
@@ -269,7 +270,7 @@ TEST_F(Batch, StoppedLeavesAWholeSummaryAndCanGoOn) {
   const Outcome stopped = runAndSignal(arguments(slow), "2 of 2, tree: Contract", SIGINT);
   EXPECT_EQ(stopped.status, 130);
   EXPECT_THAT(stopped.err, HasSubstr("espalier: stopped after 1 of 2 plants; start again"));
-  EXPECT_THAT(namesIn(results_), ElementsAre("stick.mtg", "summary.csv"));
+  EXPECT_THAT(namesIn(results_), ElementsAre("stick.doubts.json", "stick.mtg", "summary.csv"));
   EXPECT_EQ(cell("stick", "status"), "done");
   EXPECT_EQ(cell("tree", "status"), "not listed");
   const Outcome rest = run(slow);

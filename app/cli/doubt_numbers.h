@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/cloud/point_cloud.h"
+#include "core/pipeline/pipeline.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <memory>
+
+namespace espalier {
+
+/// What is in doubt about a plant that was reconstructed. Keys: expected_right, the share of the
+/// length that is right as the odds say; answers_for, how many answers would probably make that .9,
+/// .95 and .98, null where all would not; count; and doubts, what puts most right first, each with
+/// kind, node, place, length, gain, present, and alternatives[].{kind,probability,onto}.
+/// @throws Cancelled if `progress` asks to stop
+/// Time: of findDoubts() and errorRatings(): a fifth of that of the reconstruction.
+[[nodiscard]] nlohmann::ordered_json doubtNumbers(const std::shared_ptr<const PointCloud>& cloud,
+                                                  const Reconstruction& result, UpAxis up,
+                                                  const Progress& progress = {});
+
+} // namespace espalier

@@ -73,10 +73,10 @@ void print(const nlohmann::ordered_json& row) {
   std::fflush(stdout);
 }
 
-/// What answers settle is marked as reviewed, by nobody.
-Skeleton withoutMarks(Skeleton plant) {
+/// The plant with the marks that it had: what answers settle is marked as reviewed, by nobody.
+Skeleton withMarksOf(const Skeleton& before, Skeleton plant) {
   for (const NodeId id : plant.ids())
-    plant.setReview(id, {});
+    plant.setReview(id, before.contains(id) ? before[id].review : ReviewMark());
   return plant;
 }
 
@@ -124,7 +124,7 @@ void run(const AnswerFlags& flags) {
     if (isLast) break;
     const double share = static_cast<double>(answers) / static_cast<double>(all);
     static_cast<void>(interview.askNext(terminal.progress().part(
-        0.25 + 0.75 * share, 0.25 + 0.75 * (share + 1.0 / flags.answers), "Answering")));
+        0.25 + 0.75 * share, 0.25 + 0.75 * (share + 1 / static_cast<double>(all)), "Answering")));
   }
   nlohmann::ordered_json rest;
   if (flags.decidesRest) {
@@ -143,7 +143,7 @@ void run(const AnswerFlags& flags) {
                             {"rows", std::move(rows)},
                             {"rest", std::move(rest)}});
   if (!pipeline.output.empty())
-    writeAndReport(pipeline.output, {.skeleton = withoutMarks(interview.plant())},
+    writeAndReport(pipeline.output, {.skeleton = withMarksOf(plant, interview.plant())},
                    pipeline.mtgStyle, pipeline.unit);
 }
 
@@ -163,7 +163,7 @@ void addAnswer(CLI::App& app) {
       ->default_str("as reconstructed");
   command->add_option("--answers", flags->answers, "How many answers at most")
       ->type_name("N")
-      ->check(CLI::Range(1, 100000))
+      ->check(CLI::Range(0, 100000))
       ->capture_default_str();
   command
       ->add_option("--order", flags->order,

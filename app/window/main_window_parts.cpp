@@ -315,6 +315,8 @@ void MainWindow::joinReview() {
   connect(&seals, &SealFlow::changed, &review, showSeal);
   connect(&seals, &SealFlow::signerChanged, &review, &ReviewFlow::setReviewer);
   connect(&review, &ReviewFlow::reviewerChanged, &seals, &SealFlow::setSigner);
+  connect((*actions_)["shortcuts"], &QAction::triggered, &parts_.get<AskingFlow>(),
+          &AskingFlow::stopAsking); // which has keys of others
   connect(&editing, &Editing::hintChanged, &review,
           [&review, &editing] { review.setInGesture(editing.isPending()); });
   showSeal();

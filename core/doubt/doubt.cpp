@@ -52,8 +52,15 @@ bool isSame(const Doubt& a, const Doubt& b, double near) {
 
 bool isThere(const Doubt& doubt, const Skeleton& skeleton) {
   const auto has = [&](NodeId id) { return skeleton.contains(id); };
+  const auto carriesOther = [&](NodeId id) {
+    return std::ranges::any_of(skeleton.children(id), [&](NodeId child) {
+      return std::ranges::find(doubt.nodes, child) == doubt.nodes.end();
+    });
+  };
   return has(doubt.node) && std::ranges::all_of(doubt.nodes, has) &&
          std::ranges::all_of(doubt.alternatives, [&](const Alternative& one) {
+           if (one.kind == Alternative::Kind::remove)
+             return std::ranges::none_of(doubt.nodes, carriesOther);
            if (one.onto) return has(*one.onto) && !skeleton.isAncestor(doubt.node, *one.onto);
            return !one.branch || has(one.branch->on);
          });
@@ -93,14 +100,28 @@ void settle(SkeletonEditor& editor, const Doubt& doubt, const Alternative& alter
 }
 
 std::size_t decideByOdds(SkeletonEditor& editor, const std::vector<Doubt>& doubts, double least) {
+  using Kind = Alternative::Kind;
   std::size_t changed = 0;
-  for (const Doubt& doubt : doubts) {
-    const Alternative& likeliest = doubt.alternatives.front();
-    if (doubt.present == 0 || likeliest.probability < least) continue;
-    if (!isThere(doubt, editor.skeleton())) continue;
-    settle(editor, doubt, likeliest, std::nullopt);
-    ++changed;
-  }
+  std::vector<GrownBranch> added;
+  // What goes first, so that nothing is attached to it; what is new last and all at once, as the
+  // places on edges are those of now.
+  for (const Kind kind : {Kind::remove, Kind::attach, Kind::add})
+    for (const Doubt& doubt : doubts) {
+      const Alternative& likeliest = doubt.alternatives.front();
+      if (likeliest.kind != kind || likeliest.probability < least) continue;
+      if (!isThere(doubt, editor.skeleton())) continue;
+      if (kind == Kind::add) {
+        added.push_back(*likeliest.branch);
+        ++changed;
+        continue;
+      }
+      const std::optional<NodeId> foot = editor.skeleton()[doubt.node].parent;
+      const bool isLast = foot && editor.skeleton().children(*foot).size() == 1;
+      if (kind == Kind::remove && isLast) continue; // of the ends at one foot one stays
+      settle(editor, doubt, likeliest, std::nullopt);
+      ++changed;
+    }
+  if (!added.empty()) static_cast<void>(addGrown(editor, added));
   return changed;
 }
 

@@ -38,6 +38,9 @@ public:
             const PlantScale& scale, const Eigen::Vector3d& up, const Options& options,
             const Progress& progress = {});
 
+  Interview(const Interview&) = delete; // the oracle refers to the reference
+  Interview& operator=(const Interview&) = delete;
+
   /// Asks about one doubt, and makes the plant what is answered. False: nothing is in doubt.
   bool askNext(const Progress& progress = {});
 

@@ -58,20 +58,19 @@ std::size_t Oracle::answer(const Skeleton& plant, const Doubt& doubt) const {
     for (const NodeId id : doubt.nodes)
       places.push_back(plant[id].position);
   }
+  std::vector<bool> isInDoubt(plant.idEnd(), false);
+  for (const NodeId id : doubt.nodes)
+    isInDoubt[indexOf(id)] = true;
   std::vector<EdgeBody> bodies;
   for (const NodeId id : plant.ids())
-    if (isMissing || !std::ranges::binary_search(doubt.nodes, id))
-      bodies.push_back({id, centerLine(plant, id)});
-  const bool isThere = isWood(plant, doubt, EdgeIndex(std::move(bodies)), places);
+    if (!isInDoubt[indexOf(id)]) bodies.push_back({id, centerLine(plant, id)});
+  const bool isThere = isWood(EdgeIndex(std::move(bodies)), places);
   if (isMissing) return isThere ? add : doubt.present;
   if (!isThere) return firstOf(doubt, Alternative::Kind::remove);
   return attachment(plant, doubt);
 }
 
-bool Oracle::isWood(const Skeleton& plant, const Doubt& doubt, const EdgeIndex& others,
-                    const std::vector<Eigen::Vector3d>& places) const {
-  (void)plant;
-  (void)doubt;
+bool Oracle::isWood(const EdgeIndex& others, const std::vector<Eigen::Vector3d>& places) const {
   double length = 0;
   double near = 0;
   for (std::size_t i = 1; i < places.size(); ++i) {
@@ -90,17 +89,17 @@ bool Oracle::isWood(const Skeleton& plant, const Doubt& doubt, const EdgeIndex& 
 
 std::size_t Oracle::attachment(const Skeleton& plant, const Doubt& doubt) const {
   const NodeId up = doubt.nodes[std::min<std::size_t>(doubt.nodes.size() - 1, 2)];
-  std::vector<WoodFrom> ways;
+  std::vector<WoodFrom> links;
   std::vector<std::size_t> which;
   for (std::size_t i = 0; i < doubt.alternatives.size(); ++i) {
     const Alternative& one = doubt.alternatives[i];
     std::optional<NodeId> from = one.onto;
     if (one.kind == Alternative::Kind::asItIs) from = plant[doubt.node].parent;
     if (!from) continue;
-    ways.push_back({plant[*from].position, plant[up].position});
+    links.push_back({plant[*from].position, plant[up].position});
     which.push_back(i);
   }
-  const std::vector<double> detour = detours(ways, known_, tolerance_);
+  const std::vector<double> detour = detours(links, known_, tolerance_);
   const auto best = std::ranges::min_element(detour) - detour.begin();
   for (std::size_t i = 0; i < detour.size(); ++i)
     if (which[i] == doubt.present && !(detour[i] > tolerance_ / 2)) return doubt.present;

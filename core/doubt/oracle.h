@@ -41,7 +41,7 @@ public:
   [[nodiscard]] std::size_t answer(const Skeleton& plant, const Doubt& doubt) const;
 
 private:
-  [[nodiscard]] bool isWood(const Skeleton& plant, const Doubt& doubt, const EdgeIndex& others,
+  [[nodiscard]] bool isWood(const EdgeIndex& others,
                             const std::vector<Eigen::Vector3d>& places) const;
   [[nodiscard]] std::size_t attachment(const Skeleton& plant, const Doubt& doubt) const;
 

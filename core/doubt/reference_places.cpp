@@ -48,13 +48,13 @@ ReferencePlace ReferencePlaces::below(const ReferencePlace& from,
   return best;
 }
 
-std::vector<double> detours(const std::vector<WoodFrom>& ways, const ReferencePlaces& known,
+std::vector<double> detours(const std::vector<WoodFrom>& links, const ReferencePlaces& known,
                             double near) {
   std::vector<double> lengths;
-  for (const WoodFrom& way : ways) {
-    const ReferencePlace to = known.nearest(way.to);
-    const ReferencePlace from = known.below(to, way.from);
-    const double reach = near + 1.5 * known.radiusAt(known.nearest(way.from));
+  for (const WoodFrom& link : links) {
+    const ReferencePlace to = known.nearest(link.to);
+    const ReferencePlace from = known.below(to, link.from);
+    const double reach = near + 1.5 * known.radiusAt(known.nearest(link.from));
     lengths.push_back(from.distance < reach ? to.depth - from.depth + from.distance
                                             : std::numeric_limits<double>::infinity());
   }

@@ -48,7 +48,7 @@ struct WoodFrom {
 /// grow from it than between the best of them [L]; infinite where the wood does not grow from
 /// there.
 /// @param near  [L] how far a place lies from the path down at most, beside 1.5 radii there
-[[nodiscard]] std::vector<double> detours(const std::vector<WoodFrom>& ways,
+[[nodiscard]] std::vector<double> detours(const std::vector<WoodFrom>& links,
                                           const ReferencePlaces& known, double near);
 
 } // namespace espalier

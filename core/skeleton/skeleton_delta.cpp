@@ -144,6 +144,14 @@ void SkeletonEditor::erase(NodeId id) {
   skeleton_.erase(id);
 }
 
+bool changesWood(const SkeletonDelta::Change& change) {
+  if (!change.before || !change.after) return true;
+  const Node& a = *change.before;
+  const Node& b = *change.after;
+  return a.position != b.position || a.radius != b.radius || a.parent != b.parent ||
+         a.edge != b.edge;
+}
+
 SkeletonDelta SkeletonEditor::commit() {
   takeBackReviews();
   SkeletonDelta delta = deltaOf(std::move(noted_), skeleton_);

@@ -33,6 +33,9 @@ struct SkeletonDelta {
   bool operator==(const SkeletonDelta&) const = default;
 };
 
+/// Whether a change is of the wood itself: of more than marks, comments and units.
+[[nodiscard]] bool changesWood(const SkeletonDelta::Change& change);
+
 /// Edits a skeleton and notes each node before its first change.
 ///
 /// Unless committed, destruction takes the whole edit back: an edit that throws leaves no trace.

@@ -29,9 +29,9 @@ namespace {
 
 using Choice = LinkChoice<AttachmentOdds().weights.size()>;
 
-/// A place a little way up the wood, where it is not mistaken for what it touches at its foot.
-Eigen::Vector3d upOn(const Skeleton& skeleton, NodeId id, double way) {
-  for (double length = 0; length < way;) {
+/// A place a little farther up the wood, where it is not mistaken for what it touches at its foot.
+Eigen::Vector3d upOn(const Skeleton& skeleton, NodeId id, double distance) {
+  for (double length = 0; length < distance;) {
     const auto next = nextOnAxis(skeleton, id);
     if (!next) break;
     id = *next;
@@ -54,10 +54,10 @@ std::vector<Choice> choicesOf(std::uint64_t number) try {
     const Eigen::Vector3d to = upOn(skeleton, asked.node, 8 * spacing);
     const auto place = truth.nearest(to);
     if (place.distance > 3 * spacing + 1.5 * truth.radiusAt(place)) continue;
-    std::vector<WoodFrom> ways;
+    std::vector<WoodFrom> links;
     for (const AttachmentLink& link : asked.links)
-      ways.push_back({skeleton[link.from].position, to});
-    const std::vector<double> detour = detours(ways, truth, 3 * spacing);
+      links.push_back({skeleton[link.from].position, to});
+    const std::vector<double> detour = detours(links, truth, 3 * spacing);
     Choice choice;
     for (const double length : detour)
       choice.isRight.push_back(length <= 1.5 * spacing);

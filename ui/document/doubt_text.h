@@ -10,10 +10,10 @@ namespace espalier {
 /// What doubts of a kind are, as the title of a list of them: "May be no wood".
 [[nodiscard]] QString titleOf(Doubt::Kind kind);
 
-/// What is asked: "Is this branch of 12 cm wood?"
+/// What is asked: "Is this branch wood? 12 cm long"
 [[nodiscard]] QString questionOf(const Doubt& doubt, LengthUnit unit);
 
-/// An answer in a few words: "as it is", "grows from node 14".
+/// An answer in a few words: "as it is", "from node 14".
 [[nodiscard]] QString textOf(const Doubt& doubt, const Alternative& alternative);
 
 } // namespace espalier

@@ -9,7 +9,6 @@
 #include <vector>
 
 class QAction;
-class QGridLayout;
 class QLabel;
 class QToolButton;
 class QTreeWidget;

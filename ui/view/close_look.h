@@ -29,7 +29,7 @@ struct Sight {
 /// its edges are seen at their full length rather than end on.
 ///
 /// Some hundred directions are tried, from below to steeply above. The one is taken from which most
-/// of what is meant is seen, and lines that are to be told apart lie farthest apart on the screen,
+/// of what is meant is seen, and lines that are to be seen apart lie farthest apart on the screen,
 /// then most nodes around it; of those that are alike, the one that shows the edges longest and
 /// turns the camera least. What hides something is taken from a SightGrid:
 /// points as wide as they are apart, and wood that is drawn with its radius.

@@ -35,18 +35,22 @@ Qt::PenStyle styleOf(ShownGhost::Look look) {
     return Qt::SolidLine;
   case ShownGhost::Look::proposed:
     return Qt::DashLine;
-  case ShownGhost::Look::removed:
-    return Qt::DotLine;
+  case ShownGhost::Look::removed: // of its cross
+    break;
   }
   return Qt::SolidLine;
 }
 
-/// A place at a share of the way along a line.
-QPointF along(const QPolygonF& line, double share) {
+double lengthOf(const QPolygonF& line) {
   double length = 0;
   for (qsizetype i = 1; i < line.size(); ++i)
     length += QLineF(line[i - 1], line[i]).length();
-  double left = share * length;
+  return length;
+}
+
+/// A place at a share of the length of a line.
+QPointF along(const QPolygonF& line, double share) {
+  double left = share * lengthOf(line);
   for (qsizetype i = 1; i < line.size(); ++i) {
     const QLineF part(line[i - 1], line[i]);
     if (part.length() > 0 && left <= part.length()) return part.pointAt(left / part.length());
@@ -59,13 +63,23 @@ QPointF along(const QPolygonF& line, double share) {
 std::optional<QPointF> labelPlace(const std::vector<QPolygonF>& lines,
                                   const std::vector<QPointF>& taken) {
   if (lines.empty()) return std::nullopt;
-  const QPolygonF& line =
-      *std::ranges::max_element(lines, {}, [](const QPolygonF& each) { return each.size(); });
+  const QPolygonF& line = *std::ranges::max_element(lines, {}, lengthOf);
   for (const double share : {0.5, 0.65, 0.35, 0.8, 0.2, 1.0})
     if (const QPointF at = along(line, share); std::ranges::all_of(
             taken, [&](const QPointF& other) { return QLineF(at, other).length() > 2.2 * disk; }))
       return at;
   return along(line, 0.5) + QPointF(2.5 * disk * static_cast<double>(taken.size()), 0);
+}
+
+/// At the end of what would go.
+void paintCross(QPainter& painter, const QPointF& at, const Color& color, const Palette& colors) {
+  constexpr double arm = 9;
+  for (const QPen& pen : {QPen(toQt(colors.outline, 200), width + rim, Qt::SolidLine, Qt::RoundCap),
+                          QPen(toQt(color), width, Qt::SolidLine, Qt::RoundCap)}) {
+    painter.setPen(pen);
+    painter.drawLine(at + QPointF(-arm, -arm), at + QPointF(arm, arm));
+    painter.drawLine(at + QPointF(-arm, arm), at + QPointF(arm, -arm));
+  }
 }
 
 } // namespace
@@ -95,6 +109,11 @@ void paintGhosts(QPainter& painter, const std::vector<ShownGhost>& ghosts, const
   painter.setBrush(Qt::NoBrush);
   for (std::size_t i = 0; i < ghosts.size(); ++i) {
     const Color color = colorOfGhost(ghosts[i].number, dark);
+    if (ghosts[i].look == ShownGhost::Look::removed) {
+      for (const QPolygonF& line : all[i])
+        paintCross(painter, line.back(), color, colors);
+      continue;
+    }
     for (const QPolygonF& line : all[i]) {
       painter.setPen(
           QPen(toQt(colors.outline, 200), width + rim, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
@@ -106,7 +125,9 @@ void paintGhosts(QPainter& painter, const std::vector<ShownGhost>& ghosts, const
   std::vector<QPointF> taken;
   for (std::size_t i = 0; i < ghosts.size(); ++i) {
     if (ghosts[i].number == 0) continue;
-    const std::optional<QPointF> at = labelPlace(all[i], taken);
+    std::optional<QPointF> at = labelPlace(all[i], taken);
+    if (at && ghosts[i].look == ShownGhost::Look::removed)
+      at = all[i].front().back() + QPointF(2.2 * disk, 0); // beside its cross
     if (!at) continue;
     taken.push_back(*at);
     painter.setPen(QPen(toQt(colors.outline), 2));

@@ -23,8 +23,8 @@ struct ShownGhost {
   int number = 0; // its key, and its color; 0: neither label nor a color of its own
 };
 
-/// Paints ghosts over the plant: the present one with a full line, what is not there dashed, what
-/// would go dotted, each with its number. Labels keep apart.
+/// Paints ghosts over the plant: the present one with a full line, what is not there dashed, at the
+/// end of what would go a cross, each with its number. Numbers keep apart.
 void paintGhosts(QPainter& painter, const std::vector<ShownGhost>& ghosts, const ScreenMap& screen,
                  bool dark);
 

@@ -19,10 +19,18 @@ Doubt::Kind doubtKindNamed(const QString& name) {
   refuse();
 }
 
+/// As text: a number of JSON does not hold all digits of an id.
+StepId stepIn(const QJsonValue& value) {
+  bool isNumber = false;
+  const qulonglong id = value.toString().toULongLong(&isNumber);
+  if (!isNumber) refuse();
+  return StepId(id);
+}
+
 AnsweredDoubt answeredIn(const QJsonObject& json) {
   AnsweredDoubt answered{.kind = doubtKindNamed(json["kind"].toString()),
                          .node = nodeIn(json["node"]),
-                         .step = StepId(static_cast<std::uint64_t>(numberIn(json["step"])))};
+                         .step = stepIn(json["step"])};
   answered.learned = {.kind = answered.kind,
                       .said = numberIn(json["said"]),
                       .spacings = numberIn(json["spacings"]),
@@ -60,7 +68,7 @@ std::string textOf(const std::vector<AnsweredDoubt>& answered) {
                      {"said", one.learned.said},
                      {"spacings", one.learned.spacings},
                      {"wrong", one.learned.wasWrong},
-                     {"step", static_cast<qint64>(one.step)}};
+                     {"step", QString::number(static_cast<qulonglong>(one.step))}};
     if (one.kind == Doubt::Kind::missing)
       json["tip"] = QJsonArray{one.tip.x(), one.tip.y(), one.tip.z()};
     all.append(json);

@@ -27,7 +27,7 @@ struct AnsweredDoubt {
 [[nodiscard]] Eigen::Vector3d tipOf(const Doubt& doubt);
 
 /// Answers as a project keeps them: [{"kind": "end", "node": 12, "said": 0.4, "spacings": 8.5,
-/// "wrong": true, "step": 31}]; of what is missing with "tip": [x, y, z]. Empty: none.
+/// "wrong": true, "step": "31"}]; of what is missing with "tip": [x, y, z]. Empty: none.
 [[nodiscard]] std::string textOf(const std::vector<AnsweredDoubt>& answered);
 
 /// Of an empty text, none.

@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -24,11 +26,19 @@ namespace {
 constexpr int mostAnswers = 4;
 constexpr std::size_t mostListed = 200; // that a person looks at
 
+/// A line for each unbranched run of nodes.
 std::vector<std::vector<Eigen::Vector3d>> linesOf(const Skeleton& part) {
   std::vector<std::vector<Eigen::Vector3d>> lines;
-  for (const NodeId id : part.ids())
-    if (const auto parent = part[id].parent)
-      lines.push_back({part[*parent].position, part[id].position});
+  for (const NodeId id : part.ids()) {
+    const auto parent = part[id].parent;
+    if (!parent || (part[*parent].parent && part.children(*parent).size() == 1)) continue;
+    std::vector<Eigen::Vector3d> line = {part[*parent].position, part[id].position};
+    for (NodeId at = id; part.children(at).size() == 1;) {
+      at = part.children(at).front();
+      line.push_back(part[at].position);
+    }
+    lines.push_back(std::move(line));
+  }
   return lines;
 }
 
@@ -63,12 +73,17 @@ void AskingFlow::addActions() {
   keys_.append(add("answer_none", tr("None of These"),
                    tr("No alternative is right: marks the wood doubtful, to be corrected by hand"),
                    Qt::Key_0, [this] { answerNone(); }));
-  keys_.append(add("skip_doubt", tr("Skip Doubt"),
-                   tr("Goes on; it is asked again after all others"), Qt::Key_Space,
-                   [this] { skip(); }));
-  keys_.append(add("take_back_answer", tr("Take Back Answer"),
-                   tr("Takes the last answer back, and asks again"), Qt::Key_Backspace,
-                   [this] { takeBack(); }));
+  const auto inViews = [this](QAction* action) { // buttons and fields have such keys of their own
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    parts_.window.centralWidget()->addAction(action);
+    return action;
+  };
+  keys_.append(
+      inViews(add("skip_doubt", tr("Skip Doubt"), tr("Goes on; it is asked again after all others"),
+                  Qt::Key_Space, [this] { skip(); })));
+  keys_.append(inViews(add("take_back_answer", tr("Take Back Answer"),
+                           tr("Takes the last answer back, and asks again"), Qt::Key_Backspace,
+                           [this] { takeBack(); })));
   keys_.append(add("stop_asking", tr("Stop Asking"), tr("Goes on without questions"), {},
                    [this] { stopAsking(); }));
   add("decide_rest", tr("Decide the Rest by Odds"),
@@ -99,27 +114,41 @@ void AskingFlow::makePanel() {
 
 void AskingFlow::connectParts() {
   PlantDocument& document = parts_.document;
+  panelTimer_.setSingleShot(true);
+  connect(&panelTimer_, &QTimer::timeout, this, &AskingFlow::refreshPanel);
+  editEnds_.setInterval(50); // [ms]
+  connect(&editEnds_, &QTimer::timeout, this, &AskingFlow::takeEdit);
   connect(&parts_.doubts, &DoubtsFlow::changed, this, &AskingFlow::followDoubts);
-  connect(dock_, &PanelDock::shown, this,
-          [this](bool isShown) { parts_.doubts.setWanted(DoubtsFlow::Use::panel, isShown); });
+  connect(dock_, &PanelDock::shown, this, [this](bool isShown) {
+    parts_.doubts.setWanted(DoubtsFlow::Use::panel, isShown);
+    if (isShown) panelTimer_.start(0);
+  });
   connect(panel_, &DoubtsPanel::chosen, this, [this](const Doubt& doubt) {
+    if (!parts_.actions["ask_doubts"]->isEnabled()) return;
     const auto act = [&] {
       if (!isAsking_) begin();
-      goTo(doubt);
+      if (isThere(doubt, parts_.document.skeleton())) goTo(doubt);
       return true;
     };
     parts_.actions.guarded(act, Refusal::inBanner);
   });
-  connect(&document, &PlantDocument::skeletonEdited, this, &AskingFlow::takeEdit);
-  connect(&document, &PlantDocument::unitChanged, this, &AskingFlow::refreshPanel);
-  connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
+  connect(&document, &PlantDocument::skeletonEdited, this, &AskingFlow::noteEdit);
+  connect(&document, &PlantDocument::unitChanged, this, [this] {
+    panel_->setCurrent(current_, isByHand_);
+    refreshPanel();
+  });
+  for (auto signal : {&PlantDocument::skeletonReplaced, &PlantDocument::scanChanged,
+                      &PlantDocument::leftOutChanged})
+    connect(&document, signal, this, [this] {
+      stopAsking();
+      skipped_.clear();
+      asked_.clear();
+      refreshEnabled();
+    });
+  connect(&document, &PlantDocument::readOnlyChanged, this, [this] {
     stopAsking();
-    skipped_.clear();
-    asked_.clear();
     refreshEnabled();
   });
-  for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::readOnlyChanged})
-    connect(&document, signal, this, &AskingFlow::refreshEnabled);
 }
 
 void AskingFlow::setEnabled(bool isEnabled) {
@@ -152,11 +181,17 @@ void AskingFlow::begin() {
   borrowKeys();
   parts_.doubts.setWanted(DoubtsFlow::Use::asking, true);
   refreshEnabled();
-  isAwaited_ = parts_.doubts.doubts().empty() && parts_.doubts.isBusy();
-  if (isAwaited_)
-    emit noted(tr("Looking for doubts…"));
-  else
-    goOn();
+  goOn();
+}
+
+/// For doubts that are looked for.
+void AskingFlow::wait() {
+  current_.reset();
+  isByHand_ = false;
+  isAwaited_ = true;
+  draw();
+  panel_->setCurrent(std::nullopt, false);
+  refreshEnabled();
   emit hintChanged();
 }
 
@@ -167,6 +202,7 @@ void AskingFlow::stopAsking() {
   isByHand_ = false;
   isRestShown_ = false;
   current_.reset();
+  editEnds_.stop();
   parts_.doubts.setWanted(DoubtsFlow::Use::asking, false);
   giveKeysBack();
   draw();
@@ -208,18 +244,18 @@ void AskingFlow::goOn() {
     next = doubts.begin();
   }
   if (next != doubts.end()) return goTo(*next);
-  if (parts_.doubts.isBusy()) {
-    isAwaited_ = true;
-    return;
-  }
+  if (parts_.doubts.isBusy()) return wait();
   stopAsking();
   emit noted(tr("Nothing is in doubt any more"));
 }
 
 void AskingFlow::goTo(const Doubt& doubt) {
   current_ = doubt;
+  taught_ = parts_.doubts.learnedOf(doubt);
+  stepBefore_ = lastStep();
   isByHand_ = false;
   isAwaited_ = false;
+  isRestShown_ = false;
   parts_.document.selection().set(doubt.nodes.empty() ? std::vector<NodeId>{doubt.node}
                                                       : doubt.nodes);
   parts_.editing.actOnSelected();
@@ -257,9 +293,7 @@ ShownGhost AskingFlow::ghostOf(const Doubt& doubt, const Alternative& one) const
   }
   case Alternative::Kind::remove: {
     ghost.look = ShownGhost::Look::removed;
-    std::vector<Eigen::Vector3d> line = woodOf(doubt);
-    if (line.size() > 2) line.erase(line.begin()); // the present one has the edge at its foot
-    ghost.lines.push_back(std::move(line));
+    ghost.lines.push_back(woodOf(doubt));
     break;
   }
   case Alternative::Kind::attach:
@@ -276,7 +310,7 @@ void AskingFlow::draw() {
   std::vector<ShownGhost> ghosts;
   if (isRestShown_) {
     for (const Doubt& doubt : parts_.doubts.doubts())
-      if (doubt.present != 0 && doubt.alternatives.front().probability >= 0.5)
+      if (doubt.present != 0 && doubt.alternatives.front().probability >= surelyOtherwise)
         ghosts.push_back(ghostOf(doubt, doubt.alternatives.front()));
   } else if (current_ && !isByHand_) {
     for (std::size_t i = 0; i < current_->alternatives.size(); ++i) {
@@ -349,56 +383,65 @@ void AskingFlow::skip() {
 }
 
 void AskingFlow::takeBack() {
+  AnsweredDoubt last;
   {
     const QScopedValueRollback own(isOwnEdit_, true);
-    parts_.doubts.takeBack();
+    last = parts_.doubts.takeBack();
   }
-  if (asked_.empty()) return goOn();
-  const Doubt doubt = asked_.back();
-  asked_.pop_back();
-  if (isThere(doubt, parts_.document.skeleton())) return goTo(doubt);
+  const auto at = std::find_if(asked_.rbegin(), asked_.rend(),
+                               [&](const Doubt& one) { return isAbout(last, one, 0); });
+  const std::optional<Doubt> doubt = at != asked_.rend() ? std::optional(*at) : std::nullopt;
+  if (doubt) asked_.erase(std::next(at).base(), asked_.end());
   current_.reset();
+  if (doubt && isThere(*doubt, parts_.document.skeleton())) return goTo(*doubt);
   goOn();
 }
 
-/// Any edit of the wood that is asked about answers it.
-void AskingFlow::takeEdit(const SkeletonDelta& delta) {
+StepId AskingFlow::lastStep() const {
+  const int index = parts_.document.undoStack().index();
+  return index > 0 ? parts_.document.step(index - 1).id : StepId{};
+}
+
+/// Any edit of the wood that is asked about answers it, once it is done.
+void AskingFlow::noteEdit(const SkeletonDelta& delta) {
   if (isRestShown_) stopAsking();
   if (!isAsking_ || isOwnEdit_ || !current_) return;
-  const auto isOfIt = [this](const SkeletonDelta::Change& change) {
-    return change.id == current_->node ||
-           std::ranges::find(current_->nodes, change.id) != current_->nodes.end();
-  };
-  const bool isGone = !isThere(*current_, parts_.document.skeleton());
-  if (!isGone && !std::ranges::any_of(delta.changes, isOfIt)) return;
-  const bool isUndo = parts_.document.undoStack().canRedo();
+  const bool isOfIt =
+      std::ranges::any_of(delta.changes, [this](const SkeletonDelta::Change& change) {
+        return changesWood(change) &&
+               (change.id == current_->node ||
+                std::ranges::find(current_->nodes, change.id) != current_->nodes.end());
+      });
+  if (!isOfIt && isThere(*current_, parts_.document.skeleton())) return;
+  parts_.view.showGhosts({}); // they are of the wood as it was
+  for (QAction* answer : answers_)
+    answer->setEnabled(false);
+  editEnds_.start();
+}
+
+void AskingFlow::takeEdit() {
+  if (parts_.editing.isBusy()) return; // in mid-drag
+  editEnds_.stop();
+  if (!current_) return;
+  const QUndoStack& stack = parts_.document.undoStack();
+  const bool isNewStep = stack.index() == stack.count() && lastStep() != stepBefore_ &&
+                         parts_.document.isDone(lastStep());
+  const bool isAnswer =
+      isNewStep && (stepBefore_ == StepId{} || parts_.document.isDone(stepBefore_));
+  if (isByHand_) return; // one goes on by a key
   const Doubt doubt = *current_;
   current_.reset();
-  draw();
-  if (!isByHand_ && !isUndo) {
-    // The edit is a step only once it is done.
-    QMetaObject::invokeMethod(
-        this,
-        [this, doubt] {
-          parts_.doubts.takeEdit(doubt);
-          asked_.push_back(doubt);
-          if (isAsking_ && !current_) goOn();
-        },
-        Qt::QueuedConnection);
-    return;
+  if (isAnswer) {
+    parts_.doubts.takeEdit(doubt, taught_);
+    asked_.push_back(doubt);
   }
-  QMetaObject::invokeMethod(
-      this,
-      [this] {
-        if (isAsking_ && !current_) goOn();
-      },
-      Qt::QueuedConnection);
+  goOn();
 }
 
 void AskingFlow::decideRest() {
   if (isAsking_) stopAsking();
   const auto changes = std::ranges::count_if(parts_.doubts.doubts(), [](const Doubt& doubt) {
-    return doubt.present != 0 && doubt.alternatives.front().probability >= 0.5;
+    return doubt.present != 0 && doubt.alternatives.front().probability >= surelyOtherwise;
   });
   if (changes == 0) {
     emit noted(parts_.doubts.isBusy() ? tr("Looking for doubts…")
@@ -419,6 +462,7 @@ void AskingFlow::decideRest() {
   }
   isRestShown_ = false;
   draw();
+  emit hintChanged();
   const std::size_t made = parts_.doubts.decideRest();
   emit reported({.text = made == 1
                              ? tr("1 place is decided by its odds")
@@ -427,14 +471,12 @@ void AskingFlow::decideRest() {
 }
 
 void AskingFlow::followDoubts() {
-  refreshPanel();
+  if (dock_->isShown()) panelTimer_.start(0);
   refreshEnabled();
   if (isRestShown_) draw();
-  if (!isAsking_) return;
-  if (isAwaited_ && !parts_.doubts.isBusy()) {
-    isAwaited_ = false;
-    goOn();
-  }
+  if (!isAsking_ || isOwnEdit_ || editEnds_.isActive() || parts_.doubts.isBusy()) return;
+  const bool isSettled = current_ && !isByHand_ && !parts_.doubts.isListed(*current_);
+  if (isSettled || std::exchange(isAwaited_, false)) goOn(); // it was marked, or drawn by hand
 }
 
 void AskingFlow::refreshPanel() {
@@ -484,7 +526,7 @@ QString AskingFlow::hint() const {
                        "back   {leave} ends"),
                     parts_.actions);
   if (!current_) return tr("Looking for doubts…");
-  QStringList parts = {questionOf(*current_, parts_.document.unit())};
+  QStringList parts;
   for (std::size_t i = 0; i < current_->alternatives.size(); ++i)
     parts.append(QString("%1 %2").arg(i + 1).arg(textOf(*current_, current_->alternatives[i])));
   parts.append(withKeys(tr("{answer_none} none   {skip_doubt} skip   {take_back_answer} back"),

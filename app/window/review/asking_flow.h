@@ -8,6 +8,7 @@
 #include <QKeySequence>
 #include <QList>
 #include <QPointer>
+#include <QTimer>
 
 #include <optional>
 #include <utility>
@@ -69,8 +70,11 @@ private:
   void skip();
   void takeBack();
   void decideRest();
+  void wait();
   void followDoubts();
-  void takeEdit(const SkeletonDelta& delta);
+  void noteEdit(const SkeletonDelta& delta);
+  void takeEdit();
+  [[nodiscard]] StepId lastStep() const; // that is done; 0: none
   void refreshPanel();
   void refreshEnabled();
   [[nodiscard]] QString agreementText() const;
@@ -86,12 +90,16 @@ private:
   QList<QAction*> keys_;    // on while it asks
   std::vector<std::pair<QPointer<QAction>, QList<QKeySequence>>> borrowed_;
   std::optional<Doubt> current_;
+  LearnedAnswer taught_;       // by an answer to it
+  StepId stepBefore_ = {};     // done when it was asked
   std::vector<Doubt> skipped_; // asked once all others are
   std::vector<Doubt> asked_;   // that were answered, the last at the back
   bool isAsking_ = false;
   bool isAwaited_ = false; // it begins once doubts are known
   bool isByHand_ = false;  // none of the alternatives was right: an edit is waited for
   bool isOwnEdit_ = false;
+  QTimer editEnds_; // runs while wood that is asked about is edited by hand
+  QTimer panelTimer_;
   bool isRestShown_ = false; // what the odds would decide: the same action makes it
   bool isEnabled_ = true;
 };

@@ -14,23 +14,6 @@
 namespace espalier {
 namespace {
 
-/// Whether an edit changes more than marks, comments and what else doubts do not follow from.
-bool changesWoodOf(const SkeletonDelta::Change& change) {
-  if (!change.before || !change.after) return true;
-  const Node& a = *change.before;
-  const Node& b = *change.after;
-  return a.position != b.position || a.radius != b.radius || a.parent != b.parent ||
-         a.edge != b.edge;
-}
-
-bool isTouched(const Doubt& doubt, const SkeletonDelta& delta) {
-  return std::ranges::any_of(delta.changes, [&](const SkeletonDelta::Change& change) {
-    return changesWoodOf(change) &&
-           (change.id == doubt.node ||
-            std::ranges::find(doubt.nodes, change.id) != doubt.nodes.end());
-  });
-}
-
 bool isReviewed(const Doubt& doubt, const Skeleton& skeleton) {
   return std::ranges::any_of(doubt.nodes, [&](NodeId id) {
     return skeleton.contains(id) && skeleton[id].review.state != ReviewState::toDo;
@@ -91,11 +74,21 @@ bool DoubtsFlow::isBusy() const {
 }
 
 void DoubtsFlow::take(const SkeletonDelta& delta) {
-  if (std::ranges::any_of(delta.changes, changesWoodOf)) {
+  std::vector<bool> isChanged(parts_.document.skeleton().idEnd(), false); // by id
+  for (const SkeletonDelta::Change& change : delta.changes)
+    if (changesWood(change) && indexOf(change.id) < isChanged.size())
+      isChanged[indexOf(change.id)] = true;
+  const auto isTouched = [&](const Doubt& doubt) {
+    const auto at = [&](NodeId id) {
+      return indexOf(id) < isChanged.size() && isChanged[indexOf(id)];
+    };
+    return at(doubt.node) || std::ranges::any_of(doubt.nodes, at);
+  };
+  if (std::ranges::any_of(delta.changes, changesWood)) {
     isOutdated_ = true;
     ++changes_;
     std::erase_if(found_, [&](const Doubt& doubt) {
-      return isTouched(doubt, delta) || !isThere(doubt, parts_.document.skeleton());
+      return isTouched(doubt) || !isThere(doubt, parts_.document.skeleton());
     });
     if (!uses_.empty()) timer_.start(100); // [ms]: a drag is looked at when it rests
   }
@@ -150,8 +143,8 @@ void DoubtsFlow::list() {
   const Skeleton& skeleton = parts_.document.skeleton();
   std::vector<Doubt> left;
   for (const Doubt& doubt : found_) {
-    const bool isAnswered = std::ranges::any_of(answered_, [&](const AnsweredDoubt& answered) {
-      return holds(answered) && isAbout(answered, doubt, 4 * spacing);
+    const bool isAnswered = std::ranges::any_of(held_, [&](const AnsweredDoubt& answered) {
+      return isAbout(answered, doubt, 4 * spacing);
     });
     if (!isAnswered && !isReviewed(doubt, skeleton)) left.push_back(doubt);
   }
@@ -159,29 +152,47 @@ void DoubtsFlow::list() {
   emit changed();
 }
 
+bool DoubtsFlow::isListed(const Doubt& doubt) const {
+  const double near = 4 * parts_.document.scale().spacing;
+  return std::ranges::any_of(doubts_, [&](const Doubt& one) { return isSame(one, doubt, near); });
+}
+
 bool DoubtsFlow::holds(const AnsweredDoubt& answered) const {
   return answered.step == StepId{} || parts_.document.isDone(answered.step);
 }
 
 void DoubtsFlow::learnAnew() {
+  held_.clear();
   std::vector<LearnedAnswer> answers;
-  for (const AnsweredDoubt& answered : answered_)
-    if (holds(answered)) answers.push_back(answered.learned);
+  for (const AnsweredDoubt& answered : answered_) {
+    if (!holds(answered)) continue;
+    held_.push_back(answered);
+    answers.push_back(answered.learned);
+  }
   if (answers == learned_.answers()) return;
   learned_ = LearnedOdds(std::move(answers));
   list();
 }
 
-void DoubtsFlow::note(const Doubt& doubt, bool wasWrong, StepId step) {
-  const double spacing = parts_.document.scale().spacing;
+LearnedAnswer DoubtsFlow::learnedOf(const Doubt& doubt) const {
   const auto fitted =
       std::ranges::find_if(found_, [&](const Doubt& other) { return isSame(doubt, other, 0); });
-  answered_.push_back(
-      {.kind = doubt.kind,
-       .node = doubt.node,
-       .tip = tipOf(doubt),
-       .learned = learnedFrom(fitted != found_.end() ? *fitted : doubt, wasWrong, spacing),
-       .step = step});
+  return learnedFrom(fitted != found_.end() ? *fitted : doubt, false,
+                     parts_.document.scale().spacing);
+}
+
+void DoubtsFlow::note(const Doubt& doubt, LearnedAnswer learned, bool wasWrong, StepId step) {
+  learned.wasWrong = wasWrong;
+  std::erase_if(answered_, [&](const AnsweredDoubt& before) { // undone, and answered otherwise now
+    return !holds(before) && isAbout(before, doubt, 0);
+  });
+  answered_.push_back({.kind = doubt.kind,
+                       .node = doubt.node,
+                       .tip = tipOf(doubt),
+                       .learned = learned,
+                       .step = step});
+  learnAnew();
+  emit keptChanged();
 }
 
 StepId DoubtsFlow::editAs(const QString& text, const std::function<void(SkeletonEditor&)>& change) {
@@ -192,60 +203,52 @@ StepId DoubtsFlow::editAs(const QString& text, const std::function<void(Skeleton
   return now > before ? document.step(now - 1).id : StepId{};
 }
 
-void DoubtsFlow::answer(const Doubt& doubt, std::size_t alternative) {
-  const Alternative& chosen = doubt.alternatives[alternative];
-  const Doubt asked = doubt; // an edit lists others
+void DoubtsFlow::answer(const Doubt& asked, std::size_t alternative) {
+  const Doubt doubt = asked; // an edit lists others
+  const LearnedAnswer learned = learnedOf(doubt);
   parts_.document.requireEditable();
-  const StepId step =
-      editAs(tr("Answer: %1").arg(textOf(asked, chosen)), [&](SkeletonEditor& editor) {
-        settle(editor, asked, asked.alternatives[alternative], parts_.reviewer().toStdString());
-      });
-  note(asked, alternative != asked.present, step);
-  learnAnew();
-  list();
-  emit keptChanged();
+  const StepId step = editAs(tr("Answer: %1").arg(textOf(doubt, doubt.alternatives[alternative])),
+                             [&](SkeletonEditor& editor) {
+                               settle(editor, doubt, doubt.alternatives[alternative],
+                                      parts_.reviewer().toStdString());
+                             });
+  note(doubt, learned, alternative != doubt.present, step);
 }
 
-void DoubtsFlow::answerNone(const Doubt& doubt) {
-  const Doubt asked = doubt;
+void DoubtsFlow::answerNone(const Doubt& asked) {
+  const Doubt doubt = asked;
+  const LearnedAnswer learned = learnedOf(doubt);
   parts_.document.requireEditable();
   const StepId step = editAs(tr("Answer: none of these"), [&](SkeletonEditor& editor) {
-    for (const NodeId id : asked.nodes)
+    for (const NodeId id : doubt.nodes)
       editor.setReview(id, {.state = ReviewState::doubtful,
                             .comment = editor.skeleton()[id].review.comment,
                             .reviewer = parts_.reviewer().toStdString()});
   });
-  note(asked, true, step);
-  learnAnew();
-  list();
-  emit keptChanged();
+  note(doubt, learned, true, step);
 }
 
-void DoubtsFlow::takeEdit(const Doubt& doubt) {
-  const PlantDocument& document = parts_.document;
+void DoubtsFlow::takeEdit(const Doubt& doubt, const LearnedAnswer& learned) {
   const int now = parts_.document.undoStack().index();
-  note(doubt, true, now > 0 ? document.step(now - 1).id : StepId{});
-  learnAnew();
-  list();
-  emit keptChanged();
+  note(doubt, learned, true, now > 0 ? parts_.document.step(now - 1).id : StepId{});
 }
 
-void DoubtsFlow::takeBack() {
-  const auto last = std::find_if(answered_.rbegin(), answered_.rend(),
-                                 [this](const AnsweredDoubt& one) { return holds(one); });
-  if (last == answered_.rend()) throw Error(tr("no answer is left to be taken back").toStdString());
+AnsweredDoubt DoubtsFlow::takeBack() {
+  if (held_.empty()) throw Error(tr("no answer is left to be taken back").toStdString());
+  const AnsweredDoubt last = held_.back();
   QUndoStack& stack = parts_.document.undoStack();
-  if (last->step != StepId{}) {
+  if (last.step != StepId{}) {
     parts_.document.requireEditable();
-    if (stack.index() == 0 || parts_.document.step(stack.index() - 1).id != last->step)
+    if (stack.index() == 0 || parts_.document.step(stack.index() - 1).id != last.step)
       throw Error(tr("other edits came after that answer: undo them first").toStdString());
     stack.undo(); // learns anew; redo answers again
   } else {
-    answered_.erase(std::next(last).base());
+    std::erase(answered_, last);
     learnAnew();
   }
   list();
   emit keptChanged();
+  return last;
 }
 
 std::size_t DoubtsFlow::decideRest() {

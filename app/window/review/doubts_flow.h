@@ -47,18 +47,21 @@ public:
   [[nodiscard]] std::optional<ExpectedAgreement> expected() const;
   /// As answersFor(). pre: isKnown()
   [[nodiscard]] std::size_t answersFor(double share) const;
-  [[nodiscard]] std::size_t answers() const { return learned_.answers().size(); }
+  /// Whether it is still to be asked, as it is or, of a missing branch, as it would be now.
+  [[nodiscard]] bool isListed(const Doubt& doubt) const;
 
   /// Makes the plant what an alternative says, as one undo step, and learns from it.
   /// @throws Error if it is refused
   void answer(const Doubt& doubt, std::size_t alternative);
   /// None of the alternatives is right: the wood is marked doubtful. @throws Error likewise
   void answerNone(const Doubt& doubt);
-  /// An edit by hand has answered it: the plant was wrong there.
-  void takeEdit(const Doubt& doubt);
+  /// What an answer to it teaches: to be asked for while it is listed.
+  [[nodiscard]] LearnedAnswer learnedOf(const Doubt& doubt) const;
+  /// An edit by hand, the step done last, has answered it: the plant was wrong there.
+  void takeEdit(const Doubt& doubt, const LearnedAnswer& learned);
   /// Takes back the last answer that still holds, the doubt of which is asked again.
   /// @throws Error if there is none, or if other edits were made since
-  void takeBack();
+  AnsweredDoubt takeBack();
   /// As decideByOdds(), as one undo step. @return how many doubts changed the plant
   std::size_t decideRest();
 
@@ -74,7 +77,7 @@ private:
   void dropAll();
   void refresh();
   void list();
-  void note(const Doubt& doubt, bool wasWrong, StepId step);
+  void note(const Doubt& doubt, LearnedAnswer learned, bool wasWrong, StepId step);
   [[nodiscard]] StepId editAs(const QString& text,
                               const std::function<void(SkeletonEditor&)>& change);
   [[nodiscard]] bool holds(const AnsweredDoubt& answered) const;
@@ -88,6 +91,7 @@ private:
   std::optional<ErrorRatings> ratings_;
   LearnedOdds learned_;
   std::vector<AnsweredDoubt> answered_; // also those whose step is undone, which may be redone
+  std::vector<AnsweredDoubt> held_;     // those that hold
   bool isOutdated_ = true;              // they are not of the plant as it is
   int changes_ = 0;                     // of it
   JobSlot job_;

@@ -17,17 +17,6 @@ struct FoundErrors {
   std::vector<Finding> clusters;
 };
 
-/// Whether an edit changes more than marks, comments and what else errors do not follow from.
-bool changesWood(const SkeletonDelta& delta) {
-  return std::ranges::any_of(delta.changes, [](const SkeletonDelta::Change& change) {
-    if (!change.before || !change.after) return true;
-    const Node& a = *change.before;
-    const Node& b = *change.after;
-    return a.position != b.position || a.radius != b.radius || a.parent != b.parent ||
-           a.edge != b.edge;
-  });
-}
-
 } // namespace
 
 ExpectedErrorsFlow::ExpectedErrorsFlow(const Parts& parts)
@@ -88,7 +77,7 @@ void ExpectedErrorsFlow::setWanted(bool isWanted) {
 }
 
 void ExpectedErrorsFlow::take(const SkeletonDelta& delta) {
-  if (changesWood(delta)) findAnew();
+  if (std::ranges::any_of(delta.changes, changesWood)) findAnew();
 }
 
 void ExpectedErrorsFlow::findAnew() {

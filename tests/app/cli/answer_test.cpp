@@ -44,7 +44,7 @@ TEST_F(Answer, RefusesWhatItCannotDo) {
   expectRefusal(runProgram({"answer", scan_}), 2, {"--oracle"});
   expectRefusal(runProgram({"answer", scan_, "--oracle", truth_, "--order", "size"}), 2,
                 {"--order", "gain"});
-  expectRefusal(runProgram({"answer", scan_, "--oracle", truth_, "--answers", "0"}), 2,
+  expectRefusal(runProgram({"answer", scan_, "--oracle", truth_, "--answers", "-1"}), 2,
                 {"--answers"});
   expectRefusal(runProgram({"answer", scan_, "--oracle", file("none.mtg")}), 1, {"none.mtg"});
 }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -100,10 +101,8 @@ TEST(Doubt, LetsTheAxisGoOnWhereItsContinuationIsRemoved) {
 TEST(Doubt, AddsABranchThatIsReviewed) {
   const Skeleton plant = settled(aboutMissing({1, 0, 3}), 0);
   ASSERT_EQ(plant.size(), 7U);
-  const NodeId added = plant.ids().back();
   EXPECT_EQ(plant[NodeId(6)].parent, NodeId(2));
   EXPECT_EQ(plant[NodeId(6)].review.state, ReviewState::reviewed);
-  (void)added;
 }
 
 TEST(Doubt, IsTheSameAboutTheSameWoodOrPlace) {
@@ -133,13 +132,58 @@ TEST(DecideByOdds, MakesWhatIsMoreProbableThanThePresentAndPassesOverWhatIsGone)
   std::swap(goes.alternatives[0], goes.alternatives[2]);
   goes.alternatives[0].probability = 0.6;
   goes.present = 2;
-  EXPECT_EQ(decideByOdds(editor, {goes, goes, aboutMissing({1, 0, 3})}), 2U);
+  EXPECT_EQ(decideByOdds(editor, {goes, goes, aboutMissing({1, 0, 3})}, 0.5), 2U);
   EXPECT_EQ(decideByOdds(editor, {aboutMissing({1, 0, 3})}, 0.7), 0U) << "not sure enough";
   (void)editor.commit();
   EXPECT_FALSE(plant.contains(NodeId(4)));
   EXPECT_EQ(plant.size(), 5U);
   for (const NodeId id : plant.ids())
     EXPECT_EQ(plant[id].review.state, ReviewState::toDo);
+}
+
+TEST(DecideByOdds, AttachesNothingToWhatGoesAndKeepsOneEndOfAFork) {
+  const auto surely = [](Doubt doubt, Alternative::Kind kind) {
+    for (Alternative& one : doubt.alternatives)
+      if (one.kind == kind) std::swap(one, doubt.alternatives.front());
+    doubt.alternatives.front().probability = 0.9;
+    doubt.present = 1;
+    return doubt;
+  };
+  Skeleton plant = stemWithBranch();
+  SkeletonEditor editor(plant);
+  Doubt tip{.kind = Doubt::Kind::end,
+            .node = NodeId(2),
+            .nodes = {NodeId(2), NodeId(3)},
+            .alternatives = {{.kind = Alternative::Kind::remove, .probability = 0.9},
+                             {.kind = Alternative::Kind::asItIs, .probability = 0.1}},
+            .present = 1};
+  const Doubt moves = surely(aboutBranch(), Alternative::Kind::attach); // onto node 2
+  EXPECT_EQ(decideByOdds(editor, {moves, tip}), 1U);
+  EXPECT_FALSE(plant.contains(NodeId(2)));
+  EXPECT_TRUE(plant.contains(NodeId(4)));
+  Skeleton fork = stemWithBranch();
+  SkeletonEditor other(fork);
+  EXPECT_EQ(decideByOdds(other, {surely(aboutBranch(), Alternative::Kind::remove), tip}), 1U)
+      << "of the ends at a fork one stays";
+  EXPECT_EQ(fork.size(), 4U);
+}
+
+TEST(DecideByOdds, AddsBranchesToOneEdgeWhereTheyBelong) {
+  Skeleton plant = stemWithBranch();
+  SkeletonEditor editor(plant);
+  std::vector<Doubt> doubts;
+  for (const double fraction : {0.25, 0.75}) {
+    doubts.push_back(aboutMissing({1, 0, 3}));
+    doubts.back().alternatives.front().probability = 0.9;
+    doubts.back().alternatives.front().branch->fraction = fraction;
+  }
+  EXPECT_EQ(decideByOdds(editor, doubts), 2U);
+  (void)editor.commit();
+  std::vector<double> heights;
+  for (const NodeId id : plant.ids())
+    if (indexOf(id) > 5 && plant[id].position.x() == 0) heights.push_back(plant[id].position.z());
+  std::ranges::sort(heights);
+  EXPECT_EQ(heights, (std::vector<double>{1.25, 1.75}));
 }
 
 TEST(LearnedOdds, AreThoseThatWereFittedUntilSomethingIsAnswered) {
@@ -172,7 +216,7 @@ TEST(LearnedOdds, FollowTheAnswersOfTheirKindAlone) {
   EXPECT_EQ(LearnedOdds(learned.answers()).adjusted({missing}, 0.05).front().wrong(), before);
 }
 
-TEST(LearnedOdds, TellShortWoodFromLong) {
+TEST(LearnedOdds, AreOthersOfShortWoodThanOfLong) {
   LearnedOdds learned;
   for (int i = 0; i < 20; ++i) {
     learned.learn({.kind = Doubt::Kind::missing, .said = 0.5, .spacings = 5, .wasWrong = false});

@@ -190,15 +190,19 @@ TEST(ExpectedAgreement, IsNearTheRealOneAndOfWhatIsReviewedFull) {
 }
 
 TEST(AnswersFor, AreThoseThatProbablyMakeEnoughRight) {
-  const std::vector<Doubt> doubts = doubtsOfTree();
-  const ErrorRatings ratings{
-      .ofEdges = std::vector<double>(tree().plant.idEnd(), 0.1), .pieces = {}, .evidence = {}};
+  std::vector<Doubt> doubts = doubtsOfTree();
+  std::erase_if(doubts, [](const Doubt& doubt) { return doubt.kind == Doubt::Kind::missing; });
+  ASSERT_GT(doubts.size(), 3U);
+  ErrorRatings ratings{
+      .ofEdges = std::vector<double>(tree().plant.idEnd(), 0), .pieces = {}, .evidence = {}};
+  EXPECT_EQ(answersFor(1, tree().plant, ratings, doubts), 0U) << "all is right";
+  for (const NodeId id : doubts[2].nodes)
+    ratings.ofEdges[indexOf(id)] = 0.5;
+  EXPECT_EQ(answersFor(1 - 1e-12, tree().plant, ratings, doubts), 3U) << "the third mends it";
   const double now = expectedAgreement(tree().plant, ratings, doubts).share();
   EXPECT_EQ(answersFor(now, tree().plant, ratings, doubts), 0U);
-  const std::size_t some = answersFor(now + 0.02, tree().plant, ratings, doubts);
-  EXPECT_GT(some, 0U);
-  EXPECT_LE(some, doubts.size());
-  EXPECT_GT(answersFor(1, tree().plant, ratings, doubts), doubts.size());
+  ratings.ofEdges[indexOf(tree().plant.ids()[1])] = 0.5; // in no doubt
+  EXPECT_GT(answersFor(1 - 1e-12, tree().plant, ratings, doubts), doubts.size());
 }
 
 } // namespace

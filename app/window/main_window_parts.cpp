@@ -18,6 +18,7 @@
 #include "app/window/evaluate/envelope_flow.h"
 #include "app/window/evaluate/evaluation_flow.h"
 #include "app/window/evaluate/reference_flow.h"
+#include "app/window/evaluate/versions_flow.h"
 #include "app/window/files/file_flow.h"
 #include "app/window/files/picture_flow.h"
 #include "app/window/files/plot_flow.h"
@@ -135,9 +136,10 @@ void MainWindow::makeReview() {
       [this](ToSeal& from) {
         from.limits = parts_.get<FindingsFlow>().limits();
         const auto& reference = parts_.get<ReferenceFlow>();
+        from.how = parts_.get<EvaluationFlow>().options();
+        if (reference.isVersion()) return; // it is no structure of another
         from.reference = reference.skeleton();
         from.referenceName = reference.name().toStdString();
-        from.how = parts_.get<EvaluationFlow>().options();
       },
       [this](const Finding& finding) { return parts_.get<FindingsFlow>().isIgnored(finding); }});
   auto& editing = parts_.get<Editing>();
@@ -218,6 +220,8 @@ void MainWindow::makeEvaluation() {
   const PanelDock::Parts window{*actions_, settings_, *this};
   auto& reference = parts_.make<ReferenceFlow>(
       ReferenceFlow::Parts{document_, *view_, jobs_, *actions_, settings_, *this});
+  parts_.make<VersionsFlow>(
+      VersionsFlow::Parts{document_, parts_.get<ProjectFlow>(), reference, *actions_, *this});
   parts_.make<EvaluationFlow>(
       EvaluationFlow::Parts{document_, *view_, jobs_, parts_.get<Editing>(), reference, window});
   parts_.make<EnvelopeFlow>(EnvelopeFlow::Parts{document_, *view_, queue_, window});

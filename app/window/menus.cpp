@@ -100,6 +100,7 @@ std::vector<MenuPlaces> menuPlaces() {
             line,
             {"file/export"},
             {"file/project"},
+            {"file/versions", MainWindow::tr("&Versions")},
             line,
             {"file/close"}}},
           {MainWindow::tr("&Edit"),

@@ -48,10 +48,7 @@ void count(const SkeletonDelta::Change& change, Corrections& to) {
 PlantBeginning beginningOfHandWork(const History& history) {
   const auto done = std::span(history.steps).first(history.position);
   const std::size_t first = firstCorrection(done, history.skeleton.size());
-  PlantBeginning beginning{.skeleton = history.skeleton, .isReconstructed = first > 0};
-  for (std::size_t i = done.size(); i-- > first;)
-    done[i].delta.inverse().apply(beginning.skeleton);
-  return beginning;
+  return {.skeleton = skeletonAt(history, first), .isReconstructed = first > 0};
 }
 
 HandWork handWork(std::span<const HistoryStep> done, const Skeleton& skeleton) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <unordered_map>
 
@@ -107,6 +108,25 @@ std::optional<std::string> envelopeAfter(const History& history) {
   for (std::size_t i = history.position; i < history.steps.size(); ++i)
     if (history.steps[i].envelope) return history.steps[i].envelope->before;
   return std::nullopt;
+}
+
+Skeleton skeletonAt(const History& history, std::size_t position) {
+  assert(position <= history.position);
+  Skeleton skeleton = history.skeleton;
+  for (std::size_t i = history.position; i-- > position;)
+    history.steps[i].delta.inverse().apply(skeleton);
+  return skeleton;
+}
+
+std::vector<std::size_t> endsOfDays(std::span<const HistoryStep> done,
+                                    const std::function<std::int64_t(std::int64_t)>& dayOf) {
+  std::map<std::int64_t, std::size_t> ends; // by day
+  for (std::size_t i = 0; i < done.size(); ++i)
+    ends[dayOf(done[i].time)] = i + 1;
+  std::vector<std::size_t> result;
+  for (const auto& [day, end] : ends)
+    if (end < done.size()) result.push_back(end);
+  return result;
 }
 
 History beginningOf(const History& history) {

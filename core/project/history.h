@@ -7,7 +7,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -71,6 +73,17 @@ void growIds(Skeleton& skeleton, std::size_t end);
 
 /// The crown envelope after the steps that are done; none: no step changed it.
 [[nodiscard]] std::optional<std::string> envelopeAfter(const History& history);
+
+/// The skeleton when so many steps were done. O(changes of the steps behind these)
+/// pre: position <= history.position, each step fits where it stands
+[[nodiscard]] Skeleton skeletonAt(const History& history, std::size_t position);
+
+/// How many steps were done at the end of each day, the last day left out, whose end is what is
+/// done now: of each day the last step counts, the first day first.
+/// @param dayOf  numbers the day of a time [ms] since 1970-01-01 UTC, as it is where one works
+[[nodiscard]] std::vector<std::size_t>
+endsOfDays(std::span<const HistoryStep> done,
+           const std::function<std::int64_t(std::int64_t)>& dayOf);
 
 /// The plant before the first step, and no steps.
 /// pre: each step fits where it stands

@@ -97,7 +97,7 @@ Project::Project(fs::path path, Access access, std::shared_ptr<ProjectLock> lock
     inode_ = status.st_ino;
   }
   if (access == Access::readOnly) {
-    if (schema == currentSchema()) return;
+    if (schema >= firstReadAsItIs) return;
     database_ = database_.copy(); // the file stays as it is
     upgradeSchema(database_);
     return;

@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace espalier {
 
@@ -42,6 +43,16 @@ struct GrownReference {
 
 /// The points of the scan among the bytes of a project, if they are kept there.
 inline constexpr const char* keptCloudName = "cloud";
+
+/// A state of the skeleton that was given a name.
+struct PlantVersion {
+  std::string name; // no other version of the project has it
+  std::string author = {};
+  std::int64_t time = 0; // [ms] since 1970-01-01 UTC
+  Skeleton skeleton = {};
+
+  bool operator==(const PlantVersion&) const = default;
+};
 
 /// Whether a file begins as a project does, whatever its name.
 [[nodiscard]] bool isProject(const std::filesystem::path& path);
@@ -92,6 +103,13 @@ public:
   /// Writes the plant at the position now beside the journal: less to lose if a step is damaged.
   /// For when nobody waits.
   void takeSnapshot(const Skeleton& skeleton, const PointSet& leftOut, const OrganMarks& organs);
+
+  /// Keeps a state of the skeleton, whatever becomes of the history.
+  /// @throws Error also if there is a version of this name
+  void addVersion(const PlantVersion& version);
+  void removeVersion(std::string_view name); // if there is one
+  /// All of them, the oldest first; of those that are damaged, a note.
+  [[nodiscard]] Imported<std::vector<PlantVersion>> versions() const;
 
   /// Texts by name: pipeline options, view, evaluation, frame of an MTG ... Empty removes it.
   void setDocument(std::string_view name, std::string_view text);

@@ -1,4 +1,5 @@
 // The journal of a project: writing it, and reading it whatever has become of it.
+#include "core/base/text.h"
 #include "core/project/node_bytes.h"
 #include "core/project/project.h"
 
@@ -320,6 +321,58 @@ void Project::growScan(const GrownReference& grown) const {
     if (const std::optional<StoredPlant> plant = snapshotAt(database_, step))
       insertSnapshot(database_, static_cast<std::size_t>(step), plant->skeleton,
                      plant->leftOut | grown.added, plant->organs);
+}
+
+void Project::addVersion(const PlantVersion& version) {
+  requireSameFile();
+  const std::string nodes = bytesOf(version.skeleton);
+  Transaction transaction(database_);
+  Statement same = database_.prepare("SELECT time FROM version WHERE name = ?");
+  same.bindText(1, version.name);
+  if (same.step())
+    throw Error("there is a version " + inQuotes(version.name) + " already: choose another name");
+  database_.prepare("INSERT INTO version VALUES (?, ?, ?, ?)")
+      .bindText(1, version.name)
+      .bind(2, version.time)
+      .bindText(3, version.author)
+      .bindBytes(4, nodes)
+      .run();
+  transaction.commit();
+}
+
+void Project::removeVersion(std::string_view name) {
+  requireSameFile();
+  database_.prepare("DELETE FROM version WHERE name = ?").bindText(1, name).run();
+}
+
+Imported<std::vector<PlantVersion>> Project::versions() const {
+  Imported<std::vector<PlantVersion>> result;
+  const bool isOlder =
+      database_.integer("SELECT count(*) FROM sqlite_schema WHERE name = 'version'") == 0;
+  if (isOlder) return result;
+  const auto note = [&](const std::string& what) {
+    result.notes.push_back(path_.string() + ": " + what + ": the others can be read");
+  };
+  try {
+    const std::size_t all = idsAndBytes(database_, mostIds).bytes;
+    Statement rows =
+        database_.prepare("SELECT name, time, author, nodes FROM version ORDER BY time, name");
+    while (rows.step()) {
+      const std::string_view nodes = rows.bytes(3);
+      std::optional<StoredPlant> plant;
+      if (idEndOf(nodes) <= idsFor(all + nodes.size())) plant = plantFrom(nodes);
+      if (plant)
+        result.value.push_back({.name = rows.text(0),
+                                .author = rows.text(2),
+                                .time = rows.integer(1),
+                                .skeleton = std::move(plant->skeleton)});
+      else
+        note("its version " + inQuotes(rows.text(0)) + " is damaged");
+    }
+  } catch (const DamagedFile&) {
+    note("some of its versions are damaged");
+  }
+  return result;
 }
 
 bool Project::needsSnapshot() const {

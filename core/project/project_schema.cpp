@@ -47,6 +47,9 @@ const std::vector<Upgrade>& upgrades() {
       {{"ALTER TABLE journal ADD COLUMN envelope_before TEXT",
         "ALTER TABLE journal ADD COLUMN envelope_after TEXT"}},
       {}, // 6 to 7: steps and snapshots may carry organs that were set by hand (node_bytes.h)
+      // 7 to 8: states of the skeleton that were named
+      {{"CREATE TABLE version (name TEXT PRIMARY KEY, time INTEGER NOT NULL, author TEXT NOT NULL,"
+        " nodes BLOB NOT NULL)"}},
   };
   return all;
 }

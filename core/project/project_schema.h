@@ -11,6 +11,10 @@ inline constexpr int applicationId = 0x4573706C; // "Espl", at byte 68 of the fi
 /// The version that this program writes.
 [[nodiscard]] int currentSchema();
 
+/// From this version on, a project that is only read is read as it is: later ones have more tables,
+/// and nothing that older tables have is meant otherwise.
+inline constexpr int firstReadAsItIs = 6;
+
 /// Brings the tables of a database, empty or of any older version, to the current one: all or
 /// nothing of the tables; rows that are damaged are left out.
 /// @throws Error why it cannot be written

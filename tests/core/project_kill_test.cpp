@@ -79,6 +79,22 @@ ScanReference scanOf(std::size_t points) {
   }
 }
 
+/// The same of a program that names the state after each edit.
+[[noreturn]] void nameUntilKilled(const fs::path& file, int saved) {
+  try {
+    Project project = Project::open(file, Access::readWrite);
+    for (std::size_t count = project.versions().value.size();; ++count) {
+      project.addVersion({.name = std::to_string(count),
+                          .time = static_cast<std::int64_t>(count),
+                          .skeleton = test::randomPlant(200, count)});
+      if (::write(saved, "s", 1) != 1) ::_exit(3);
+    }
+  } catch (const std::exception& error) {
+    (void)!::write(STDERR_FILENO, error.what(), std::string_view(error.what()).size());
+    ::_exit(4);
+  }
+}
+
 /// Runs a program until it has saved `acts` and a moment longer.
 /// @param program  reports each act to a pipe
 /// @return how many acts it reported as saved
@@ -203,6 +219,26 @@ TEST(KilledProgram, UpgradesAProjectOfVersion01WholeOrNotAtAll) {
   RecordProperty("upgraded", upgraded);
   EXPECT_GT(upgraded, 0);
   EXPECT_LT(upgraded, rounds) << "some were killed before the end";
+}
+
+TEST(KilledProgram, LosesNoVersionThatItReportedAsSaved) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  (void)Project::create(file, {.skeleton = test::fork(3)});
+  Random random(22);
+  std::size_t savedInAll = 0;
+  for (int round = 0; round < 40; ++round) {
+    const int saved = runAndKill([&](int pipe) { nameUntilKilled(file, pipe); },
+                                 static_cast<int>(random.below(4)),
+                                 std::chrono::microseconds(random.below(6000)));
+    savedInAll += static_cast<std::size_t>(saved);
+    const auto read = Project::open(file, Access::readOnly).versions();
+    ASSERT_TRUE(read.notes.empty()) << read.notes[0];
+    ASSERT_TRUE(read.value.size() == savedInAll || read.value.size() == savedInAll + 1);
+    savedInAll = read.value.size(); // one more was saved, and not reported any more
+    for (std::size_t i = 0; i < savedInAll; ++i)
+      ASSERT_EQ(read.value[i].skeleton, test::randomPlant(200, i));
+  }
+  EXPECT_GT(savedInAll, 40U);
 }
 
 } // namespace

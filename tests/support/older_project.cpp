@@ -43,7 +43,7 @@ void writeAsVersion01(const std::filesystem::path& project, const std::filesyste
 void writeAsSchema5(const std::filesystem::path& project) {
   const Database database(project, Opening::readWrite);
   for (const char* statement :
-       {"ALTER TABLE journal DROP COLUMN envelope_after",
+       {"DROP TABLE version", "ALTER TABLE journal DROP COLUMN envelope_after",
         "ALTER TABLE journal DROP COLUMN envelope_before", "PRAGMA user_version = 5"})
     database.execute(statement);
 }

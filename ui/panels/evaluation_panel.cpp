@@ -243,6 +243,11 @@ void EvaluationPanel::setTurns(bool turns) {
   turns_->setChecked(turns);
 }
 
+void EvaluationPanel::setMovable(bool isMovable) {
+  laid_->setVisible(isMovable);
+  turns_->setVisible(isMovable);
+}
+
 QString EvaluationPanel::length(double value) const {
   return formatLength(value, document_.unit(), 3);
 }

@@ -52,6 +52,7 @@ public:
   void setTolerance(double tolerance); // [L]
   void setLaid(bool isLaid);
   void setTurns(bool turns);
+  void setMovable(bool isMovable); // false: the reference lies where it is
 
 signals:
   void toleranceChosen(double tolerance);

@@ -89,7 +89,7 @@ void EvaluationFlow::makePanel() {
 
 void EvaluationFlow::fillMenu(QMenu& menu) const {
   const auto add = [&](const QString& id) { menu.addAction(parts_.window.actions[id]); };
-  for (const char* id : {"load_reference", "remove_reference"})
+  for (const char* id : {"load_reference", "compare_version", "remove_reference"})
     add(id);
   menu.addSeparator();
   add("show_evaluation");
@@ -260,6 +260,7 @@ void EvaluationFlow::takeReference() {
   letGoOfPlace();
   forget();
   panel_->setReference(hasOne ? parts_.reference.name() : QString());
+  panel_->setMovable(!parts_.reference.isVersion());
   if (hasOne)
     panel_->setTolerance(tolerance_ > 0 ? tolerance_
                                         : usualTolerance(*parts_.reference.skeleton()));

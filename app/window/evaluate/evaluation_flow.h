@@ -3,6 +3,7 @@
 #include "app/window/evaluate/edit_choices.h"
 #include "app/window/evaluate/error_walk.h"
 #include "app/window/evaluate/methods_flow.h"
+#include "app/window/evaluate/reference_flow.h"
 #include "app/window/evaluate/report_flow.h"
 #include "app/window/evaluate/traits_flow.h"
 #include "app/window/frame/panel_dock.h"
@@ -25,7 +26,6 @@ namespace espalier {
 class EvaluationPanel;
 class PlotView;
 struct EvaluationText;
-class ReferenceFlow;
 
 /// The evaluation dock: without a reference the traits of the plant by itself; with one, it
 /// compares the plant with that, as a job a moment after each edit, and shows scores, curve and
@@ -58,7 +58,7 @@ public:
   [[nodiscard]] bool isUpToDate() const { return isFresh_; }
   /// How a result is compared with the reference, as chosen.
   [[nodiscard]] EvaluationOptions options() const {
-    return {.registers = isLaid_,
+    return {.registers = isLaid_ && !parts_.reference.isVersion(),
             .turns = turns_,
             .up = parts_.document.up(),
             .motion = std::nullopt,

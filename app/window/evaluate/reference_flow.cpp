@@ -67,7 +67,7 @@ void ReferenceFlow::addActions() {
 }
 
 QString ReferenceFlow::name() const {
-  return QFileInfo(path_).fileName();
+  return isVersion_ ? path_ : QFileInfo(path_).fileName();
 }
 
 void ReferenceFlow::choose() {
@@ -90,7 +90,7 @@ void ReferenceFlow::load(const QString& path) {
         return read;
       },
       [this, path](Imported<Skeleton> read) {
-        set({std::move(read.value), path});
+        set({.skeleton = std::move(read.value), .path = path});
         QStringList notes = {tr("%1 is the reference now").arg(name())};
         for (const std::string& note : firstNotes(read.notes))
           notes.append(QString::fromStdString(note));
@@ -98,6 +98,15 @@ void ReferenceFlow::load(const QString& path) {
         emit outdated(); // of one refused
         emit loaded();
       });
+}
+
+void ReferenceFlow::takeVersion(Skeleton skeleton, const QString& name) {
+  parts_.jobs.requireIdle();
+  requireComparable(skeleton, name.toStdString());
+  set({.skeleton = std::move(skeleton), .path = name, .isVersion = true});
+  emit noted(tr("The plant is compared with %1").arg(name));
+  emit outdated();
+  emit loaded();
 }
 
 void ReferenceFlow::lay(const Eigen::Isometry3d& motion) {
@@ -113,6 +122,7 @@ void ReferenceFlow::show(const std::string& text) {
 void ReferenceFlow::set(Reference reference) {
   text_ = textOf(reference);
   path_ = reference.path;
+  isVersion_ = reference.isVersion;
   skeleton_ = reference.skeleton.isEmpty()
                   ? nullptr
                   : std::make_shared<const Skeleton>(std::move(reference.skeleton));

@@ -39,11 +39,16 @@ public:
   /// Null: there is none.
   [[nodiscard]] const std::shared_ptr<const Skeleton>& skeleton() const { return skeleton_; }
   [[nodiscard]] QString name() const;                          // of its file, for people
+  [[nodiscard]] bool isVersion() const { return isVersion_; }  // a state of the plant itself
   [[nodiscard]] const Skeleton& laid() const { return laid_; } // as it is drawn, under its own ids
 
   /// Reads a structure, or the plant of a project, as a job.
   /// @throws Error if it is not one, or a job is running
   void load(const QString& path);
+  /// Takes a state of the plant itself in place of a structure.
+  /// @param name  of the state, for people
+  /// @throws Error if nothing can be compared with it, or a job is running
+  void takeVersion(Skeleton skeleton, const QString& name);
   /// Draws it moved, until another is loaded.
   void lay(const Eigen::Isometry3d& motion);
 
@@ -65,7 +70,8 @@ private:
   Parts parts_;
   std::shared_ptr<const Skeleton> skeleton_;
   Skeleton laid_;
-  QString path_;
+  QString path_; // or the name of the version
+  bool isVersion_ = false;
   std::string text_; // once made: projects ask for it often
 };
 

@@ -41,7 +41,8 @@ std::string textOf(const Reference& reference) {
                             QString(QChar(static_cast<char>(node.edge))), node.position.x(),
                             node.position.y(), node.position.z(), node.radius});
   }
-  const QJsonObject json{{"path", reference.path}, {"nodes", nodes}};
+  QJsonObject json{{"path", reference.path}, {"nodes", nodes}};
+  if (reference.isVersion) json["version"] = true;
   return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
 }
 
@@ -53,7 +54,9 @@ Reference referenceFrom(const std::string& text) {
     const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
     const QJsonArray nodes = document["nodes"].toArray();
     if (nodes.isEmpty()) refuse();
-    Reference reference{.skeleton = {}, .path = document["path"].toString()};
+    Reference reference{.skeleton = {},
+                        .path = document["path"].toString(),
+                        .isVersion = document["version"].toBool()};
     std::vector<NodeId> ids;
     for (const auto& each : nodes)
       ids.push_back(reference.skeleton.add(nodeIn(each.toArray(), ids)));

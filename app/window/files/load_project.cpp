@@ -97,6 +97,12 @@ LoadedProject loadProject(const QString& path, Access access, const Progress& pr
     loaded.unit = unitOfSymbol(QString::fromStdString(loaded.project->document("unit")));
     loaded.file = QString::fromStdString(loaded.project->document("file"));
   });
+  tryTo(loaded, [&] {
+    Imported<std::vector<PlantVersion>> versions = loaded.project->versions();
+    loaded.versions = std::move(versions.value);
+    for (const std::string& note : versions.notes)
+      loaded.notes.append(QString::fromStdString(note));
+  });
   tryTo(loaded, [&] { addScan(loaded, progress.part(0.1, 1)); });
   return loaded;
 }

@@ -12,6 +12,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace espalier {
 
@@ -27,7 +28,8 @@ struct LoadedProject {
   ContractedPoints contracted;
   std::optional<ScanReference> scanReference;
   LengthUnit unit = LengthUnit::unknown;
-  QString file; // of a session: where its skeleton was read from or saved to
+  QString file;                       // of a session: where its skeleton was read from or saved to
+  std::vector<PlantVersion> versions; // the oldest first
   bool isDamaged = false;
   QStringList notes; // what its user should know
 };

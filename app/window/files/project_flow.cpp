@@ -34,8 +34,7 @@ QString nameOf(const PlantDocument& document) {
 
 ProjectFlow::ProjectFlow(const Parts& parts)
     : parts_(parts), sessions_(parts.settings), recorder_(parts.document) {
-  parts_.document.setAuthor(
-      parts_.settings.value("author", qEnvironmentVariable("USER")).toString());
+  parts_.document.setAuthor(author());
   connect(&parts_.jobs, &JobSlot::finished, this, &ProjectFlow::finishKeeping);
   connect(&recorder_, &ProjectRecorder::failed, this, &ProjectFlow::reportFailure);
   connect(&recorder_, &ProjectRecorder::behindChanged, this, [this] {
@@ -46,6 +45,7 @@ ProjectFlow::ProjectFlow(const Parts& parts)
   connect(&parts_.document.undoStack(), &QUndoStack::indexChanged, this,
           &ProjectFlow::startSession);
   connect(&parts_.document, &PlantDocument::titleChanged, this, &ProjectFlow::noteFile);
+  connect(&parts_.document, &PlantDocument::skeletonReplaced, this, [this] { versions_.clear(); });
   for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::skeletonReplaced})
     connect(&parts_.document, signal, &prepare_, qOverload<>(&QTimer::start));
   prepare_.setSingleShot(true);
@@ -56,6 +56,10 @@ ProjectFlow::ProjectFlow(const Parts& parts)
 void ProjectFlow::endWork() {
   blockSignals(true); // who would show it is going too
   release(parts_.document.isModified());
+}
+
+QString ProjectFlow::author() const {
+  return parts_.settings.value("author", qEnvironmentVariable("USER")).toString();
 }
 
 bool ProjectFlow::isNamed() const {
@@ -111,7 +115,7 @@ void ProjectFlow::saveAs(const QString& path) {
   if (isNamed() && QFileInfo(path).absoluteFilePath() == pathOf(*recorder_.project()))
     recorder_.stop(); // its file is gone or cannot be written: it is made anew
   std::unique_ptr<Project> project = makeProject(parts_.document, toPath(path));
-  project->setScan(scan_);
+  takeIntoNew(*project);
   release(false); // a session's work is in the named one from here on
   leave();
   take(std::move(project));
@@ -133,13 +137,35 @@ bool ProjectFlow::confirmSaved() {
   return false;
 }
 
-void ProjectFlow::compact() {
+/// What its history does not hold.
+void ProjectFlow::takeIntoNew(Project& project) const {
+  project.setScan(scan_);
+  for (const PlantVersion& version : versions_)
+    project.addVersion(version);
+}
+
+Project& ProjectFlow::named() const {
   if (!isNamed())
     throw Error(tr("this plant is in no project yet: save it as one first").toStdString());
+  return *recorder_.project();
+}
+
+void ProjectFlow::addVersion(const PlantVersion& version) {
+  named().addVersion(version);
+  versions_.push_back(version);
+}
+
+void ProjectFlow::removeVersion(const std::string& name) {
+  named().removeVersion(name);
+  std::erase_if(versions_, [&](const PlantVersion& version) { return version.name == name; });
+}
+
+void ProjectFlow::compact() {
+  Project& project = named();
   recorder_.flush();
   const QString path = pathOf(*recorder_.project());
   const qint64 before = QFileInfo(path).size();
-  recorder_.project()->compact();
+  project.compact();
   const QLocale locale;
   emit reported({.text = tr("%1 is %2 now; it was %3")
                              .arg(QFileInfo(path).fileName(),
@@ -242,6 +268,7 @@ void ProjectFlow::show(LoadedProject loaded, As as) {
   document.openHistory(std::move(loaded.history), loaded.frame, isSession ? loaded.file : QString(),
                        loaded.contracted);
   isLoading_ = false;
+  versions_ = std::move(loaded.versions);
   scan_ = loaded.scanReference;
   reading_ = loaded.reading;
   isScanKept_ = loaded.isScanKept;
@@ -300,7 +327,7 @@ void ProjectFlow::startSession() {
 
 void ProjectFlow::makeSession() {
   auto project = makeProject(parts_.document, toPath(sessions_.newPath()));
-  project->setScan(scan_);
+  takeIntoNew(*project);
   project->setDocument("name", nameOf(parts_.document).toStdString());
   project->setDocument("file", parts_.document.filePath().toStdString());
   recorder_.start(std::move(project));

@@ -81,6 +81,15 @@ public:
   void keepScan(bool isKept);
   [[nodiscard]] bool isScanKept() const { return isScanKept_; }
 
+  [[nodiscard]] QString author() const; // of the edits, as in the history
+
+  /// States of the plant that were named, the oldest first.
+  [[nodiscard]] const std::vector<PlantVersion>& versions() const { return versions_; }
+  /// Keeps another one in the project.
+  /// @throws Error if there is no project with a name, or it has a version of this name
+  void addVersion(const PlantVersion& version);
+  void removeVersion(const std::string& name); // likewise
+
   /// Lets go of the project: the document will hold another plant.
   void leave();
   /// The same, and empties the document.
@@ -117,6 +126,8 @@ private:
   void makeSession(); // throws
   void prepareSession();
   void noteFile();
+  [[nodiscard]] Project& named() const; // throws if there is none
+  void takeIntoNew(Project& project) const;
   bool guarded(const std::function<void()>& act); // whether it went well
   void askForScan();
   void finishKeeping();
@@ -128,6 +139,7 @@ private:
   ProjectRecorder recorder_;
   Gate gate_ = [](const std::function<void()>& show) { show(); };
   std::vector<Kept> beside_;
+  std::vector<PlantVersion> versions_;
   QTimer prepare_;
   std::optional<ScanReference> scan_;
   ReadOptions reading_;     // of the scan of the project that was opened

@@ -140,6 +140,8 @@ TEST(ReferenceText, ComesBackAsItWas) {
   plant.setPosition(NodeId{2}, {0.1, 1.0 / 3, -2e-7});
   const Reference reference{plant, "/home/ä/expert.mtg"};
   EXPECT_EQ(referenceFrom(textOf(reference)), reference);
+  const Reference version{.skeleton = plant, .path = "before pruning", .isVersion = true};
+  EXPECT_EQ(referenceFrom(textOf(version)), version);
   EXPECT_EQ(textOf(Reference{}), "");
   EXPECT_EQ(referenceFrom(""), Reference{});
 }

@@ -14,6 +14,36 @@ bool fits(const SkeletonDelta& delta, Skeleton plant) {
   return tryToApply(delta, plant);
 }
 
+/// Radii 1, 2, 3 ... one after another, at the given times.
+History radiiAt(const std::vector<std::int64_t>& times) {
+  History history{.skeleton = test::stick(3)};
+  for (const std::int64_t time : times) {
+    SkeletonEditor editor(history.skeleton);
+    editor.setRadius(NodeId{1}, static_cast<double>(++history.position));
+    history.steps.push_back({.text = "Radius", .time = time, .delta = editor.commit()});
+  }
+  return history;
+}
+
+TEST(History, GivesTheSkeletonAtEachPosition) {
+  const History history = radiiAt({0, 0, 0});
+  for (std::size_t position = 1; position <= 3; ++position)
+    EXPECT_EQ(skeletonAt(history, position)[NodeId{1}].radius, static_cast<double>(position));
+  EXPECT_EQ(skeletonAt(history, 0), test::stick(3));
+}
+
+TEST(History, KnowsTheEndOfEachDayButTheLast) {
+  const auto dayOf = [](std::int64_t time) { return time / 100; };
+  const auto ends = [&](const std::vector<std::int64_t>& times) {
+    return endsOfDays(radiiAt(times).steps, dayOf);
+  };
+  using Ends = std::vector<std::size_t>;
+  EXPECT_EQ(ends({}), Ends());
+  EXPECT_EQ(ends({110, 120}), Ends()) << "its end is the state now";
+  EXPECT_EQ(ends({110, 120, 310, 500}), (Ends{2, 3}));
+  EXPECT_EQ(ends({110, 210, 120, 310}), (Ends{3, 2})) << "a clock was set back";
+}
+
 TEST(Fits, HoldsForWhatAnEditorMade) {
   Skeleton plant = test::fork(3);
   const Skeleton before = plant;

@@ -56,6 +56,23 @@ TEST(DamagedProject, OfOtherTablesIsRefused) {
   EXPECT_THAT(messageOnOpening(file), HasSubstr("not those of a project"));
 }
 
+TEST(DamagedProject, GivesTheVersionsThatCanBeRead) {
+  const fs::path file = projectOfTenMoves();
+  {
+    Project project = Project::open(file, Access::readWrite);
+    for (const char* name : {"one", "two", "three"})
+      project.addVersion({.name = name, .skeleton = test::stick(4)});
+  }
+  Database(file, Opening::readWrite)
+      .execute("UPDATE version SET nodes = substr(nodes, 1, 40) WHERE name = 'two'");
+  const auto read = Project::open(file, Access::readOnly).versions();
+  EXPECT_EQ(read.value.size(), 2U);
+  ASSERT_EQ(read.notes.size(), 1U);
+  EXPECT_THAT(read.notes[0], HasSubstr("its version 'two' is damaged: the others can be read"));
+  EXPECT_THAT(Project::open(file, Access::readOnly).history().notes, testing::IsEmpty())
+      << "the plant is whole";
+}
+
 TEST(DamagedProject, GivesThePlantUpToTheLastGoodStep) {
   const fs::path file = projectOfTenMoves();
   const Database database(file, Opening::readWrite);

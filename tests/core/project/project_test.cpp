@@ -44,6 +44,38 @@ TEST(Project, KeepsAPlantAndItsHistory) {
   EXPECT_EQ(readBack(file), history);
 }
 
+TEST(Project, KeepsNamedVersionsWhateverBecomesOfTheHistory) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  const PlantVersion first{
+      .name = "first", .author = "Anna", .time = 7, .skeleton = test::randomPlant(30, 1)};
+  const PlantVersion second{
+      .name = "\"second\", after lunch", .time = 3, .skeleton = test::fork(2)};
+  {
+    Project project = Project::create(file, withEdits(10));
+    project.addVersion(first);
+    project.addVersion(second);
+    EXPECT_EQ(test::errorOf([&] {
+                project.addVersion(first);
+                return 0;
+              }),
+              "there is a version 'first' already: choose another name");
+    project.reset(test::stick(3));
+    project.record(0, {}, 0);
+  }
+  EXPECT_THAT(Project::open(file, Access::readOnly).versions().value,
+              testing::ElementsAre(second, first))
+      << "by time";
+  Project project = Project::open(file, Access::readWrite);
+  project.removeVersion("first");
+  project.removeVersion("none of this name");
+  EXPECT_THAT(project.versions().value, testing::ElementsAre(second));
+  EXPECT_THAT(test::errorOf([&] {
+                Project::open(file, Access::readOnly).addVersion(first);
+                return 0;
+              }),
+              HasSubstr("open to read only"));
+}
+
 // The points of the scan before come first, so that all steps keep theirs.
 TEST(Project, GrowsItsScanBySetAsidePointsInEveryState) {
   const fs::path file = test::freshFolder() / "oak.espalier";

@@ -202,11 +202,12 @@ TEST(ProjectUpgrade, KeepsOrgansInTheStepsThatFollowThoseOfSchema6) {
     (void)edits.next();
   History history = withoutOrgans(edits.history());
   (void)Project::create(file, history);
-  Database(file, Opening::readWrite).execute("PRAGMA user_version = 6");
+  for (const char* statement : {"DROP TABLE version", "PRAGMA user_version = 6"})
+    Database(file, Opening::readWrite).execute(statement);
   EXPECT_EQ(historyOf(Project::open(file, Access::readOnly)), history);
   EXPECT_EQ(Database(file, Opening::readOnly).integer("PRAGMA user_version"), 6) << "left alone";
   Project project = Project::open(file, Access::readWrite);
-  EXPECT_EQ(Database(file, Opening::readOnly).integer("PRAGMA user_version"), 7)
+  EXPECT_EQ(Database(file, Opening::readOnly).integer("PRAGMA user_version"), currentSchema())
       << "older programs say that a newer one wrote it";
   history.organs = OrganMarks().with(PointSet::of({3, 4, 9}), Organ::blade);
   history.steps.resize(history.position);
@@ -216,6 +217,27 @@ TEST(ProjectUpgrade, KeepsOrgansInTheStepsThatFollowThoseOfSchema6) {
   ++history.position;
   EXPECT_EQ(historyOf(project), history);
   EXPECT_TRUE(beginningOf(historyOf(project)).organs.isEmpty());
+}
+
+// Before states could be named.
+TEST(ProjectUpgrade, NamesStatesInAProjectOfSchema7) {
+  const fs::path file = test::freshFolder() / "older.espalier";
+  const History history{.skeleton = test::fork(3)};
+  (void)Project::create(file, history);
+  for (const char* statement : {"DROP TABLE version", "PRAGMA user_version = 7"})
+    Database(file, Opening::readWrite).execute(statement);
+  {
+    const Project project = Project::open(file, Access::readOnly);
+    EXPECT_EQ(historyOf(project), history);
+    EXPECT_THAT(project.versions().value, testing::IsEmpty());
+    EXPECT_THAT(project.versions().notes, testing::IsEmpty());
+  }
+  EXPECT_EQ(Database(file, Opening::frozen).integer("PRAGMA user_version"), 7) << "left alone";
+  Project project = Project::open(file, Access::readWrite);
+  const PlantVersion version{.name = "as found", .skeleton = history.skeleton};
+  project.addVersion(version);
+  EXPECT_THAT(project.versions().value, testing::ElementsAre(version));
+  EXPECT_EQ(historyOf(project), history);
 }
 
 // Version 0.1 reads the plant of such a file from its last snapshot, and so does this.

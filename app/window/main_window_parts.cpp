@@ -48,6 +48,7 @@
 #include "app/window/review/findings_flow.h"
 #include "app/window/review/review_flow.h"
 #include "app/window/review/seal_flow.h"
+#include "app/window/review/worklist_flow.h"
 #include "app/window/view/close_look_flow.h"
 #include "app/window/view/explained_flow.h"
 #include "app/window/view/hidden_points.h"
@@ -214,6 +215,9 @@ void MainWindow::makeViews() {
                          parts_.get<ScanDistances>(), parts_.get<OrganFlow>()});
   parts_.make<HistoryFlow>(HistoryFlow::Parts{document_, editing, window});
   parts_.make<NodeTableFlow>(NodeTableFlow::Parts{document_, editing, window});
+  parts_.make<WorklistFlow>(
+      WorklistFlow::Parts{document_, queue_, window,
+                          [this](const QString& file) { parts_.get<FileFlow>().openPlant(file); }});
 }
 
 void MainWindow::makeEvaluation() {

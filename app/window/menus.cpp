@@ -93,6 +93,7 @@ std::vector<MenuPlaces> menuPlaces() {
            {{"file/new"},
             {"file/open"},
             {"file/recent", MainWindow::tr("Open &Recent")},
+            {"file/worklist", MainWindow::tr("&Worklist")},
             line,
             {"file/reference"},
             line,

@@ -15,15 +15,11 @@ std::size_t countRemoved(const SkeletonDelta& delta) {
       delta.changes, [](const SkeletonDelta::Change& change) { return !change.after; }));
 }
 
-/// The place behind the last step that made the whole plant anew: it left no earlier node, and is
-/// no stroke by which one begins to draw. 0: none did.
+/// The place behind the last step that made the whole plant anew. 0: none did.
 std::size_t firstCorrection(std::span<const HistoryStep> done, std::size_t size) {
   for (std::size_t i = done.size(); i-- > 0;) {
-    const std::size_t added = countAdded(done[i].delta);
-    const std::size_t removed = countRemoved(done[i].delta);
-    const bool isRun = removed > 0 || done[i].replacesContracted;
-    if (added == size && added > 0 && isRun) return i + 1;
-    size = size + removed - added;
+    if (madePlantAnew(done[i], size)) return i + 1;
+    size = size + countRemoved(done[i].delta) - countAdded(done[i].delta);
   }
   return 0;
 }
@@ -44,6 +40,11 @@ void count(const SkeletonDelta::Change& change, Corrections& to) {
 }
 
 } // namespace
+
+bool madePlantAnew(const HistoryStep& step, std::size_t size) {
+  const std::size_t added = countAdded(step.delta);
+  return added == size && added > 0 && (step.replacesContracted || countRemoved(step.delta) > 0);
+}
 
 PlantBeginning beginningOfHandWork(const History& history) {
   const auto done = std::span(history.steps).first(history.position);

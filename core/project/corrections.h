@@ -33,8 +33,13 @@ struct HandWork {
 /// A longer pause is none of work, and counts as nothing [ms].
 inline constexpr std::int64_t longestPause = std::int64_t{5} * 60 * 1000;
 
+/// Whether a step made the whole plant anew, as a reconstruction does: it left no earlier node, and
+/// is no stroke by which one begins to draw. O(changes)
+/// @param size  nodes of the plant after it
+[[nodiscard]] bool madePlantAnew(const HistoryStep& step, std::size_t size);
+
 /// The work by hand that led to the present skeleton: the steps that are done, from the last one on
-/// that made the whole plant anew (a reconstruction), which itself is no correction. A clock that
+/// that made the whole plant anew (madePlantAnew), which itself is no correction. A clock that
 /// was set back between two steps adds nothing. O(all changes).
 [[nodiscard]] HandWork handWork(std::span<const HistoryStep> done, const Skeleton& skeleton);
 

@@ -1,5 +1,6 @@
 // The journal of a project: writing it, and reading it whatever has become of it.
 #include "core/base/text.h"
+#include "core/project/corrections.h"
 #include "core/project/node_bytes.h"
 #include "core/project/project.h"
 
@@ -61,15 +62,40 @@ std::optional<EnvelopeChange> envelopeIn(const Statement& row) {
   return EnvelopeChange{.before = row.text(8), .after = row.text(9)};
 }
 
+/// The rows of the journal that a condition holds for, as stepIn() reads them.
+Statement journalRows(const Database& database, const std::string& condition,
+                      const std::string& order) {
+  return database.prepare(
+      "SELECT step, time, author, text, delta, coalesce(id, step + 1), contracted, "
+      "envelope_after IS NOT NULL, coalesce(envelope_before, ''), coalesce(envelope_after, '') "
+      "FROM journal " +
+      condition + " ORDER BY step " + order);
+}
+
+/// None: its bytes are damaged.
+std::optional<HistoryStep> stepIn(const Statement& row) {
+  std::optional<StoredDelta> stored = deltaFrom(row.bytes(4));
+  if (!stored) return std::nullopt;
+  return HistoryStep{.id = std::bit_cast<StepId>(row.integer(5)),
+                     .text = row.text(3),
+                     .author = row.text(2),
+                     .time = row.integer(1),
+                     .delta = std::move(stored->delta),
+                     .points = std::move(stored->points),
+                     .replacesContracted = row.integer(6) != 0,
+                     .envelope = envelopeIn(row),
+                     .organs = std::move(stored->organs)};
+}
+
 /// What of the journal can be read, by place. A damaged page hides what is behind it, so the other
 /// end is read too.
 struct Journal {
   std::map<std::int64_t, HistoryStep> steps;
   bool isDamaged = false;
 
-  explicit Journal(const Database& database) {
-    read(database, "ASC");
-    if (isDamaged) read(database, "DESC");
+  explicit Journal(const Database& database, const std::string& condition = {}) {
+    read(database, condition, "ASC");
+    if (isDamaged) read(database, condition, "DESC");
   }
 
   [[nodiscard]] std::size_t idEnd() const { return idEnd_; } // of all that steps name
@@ -77,27 +103,15 @@ struct Journal {
   [[nodiscard]] std::int64_t end() const { return steps.empty() ? 0 : steps.rbegin()->first + 1; }
 
 private:
-  void read(const Database& database, const std::string& order) {
+  void read(const Database& database, const std::string& condition, const std::string& order) {
     try {
-      Statement rows = database.prepare(
-          "SELECT step, time, author, text, delta, coalesce(id, step + 1), contracted, "
-          "envelope_after IS NOT NULL, coalesce(envelope_before, ''), coalesce(envelope_after, '') "
-          "FROM journal ORDER BY step " +
-          order);
+      Statement rows = journalRows(database, condition, order);
       while (rows.step()) {
-        std::optional<StoredDelta> stored = deltaFrom(rows.bytes(4));
-        if (stored) idEnd_ = std::max(idEnd_, idEndIn(stored->delta));
+        std::optional<HistoryStep> content = stepIn(rows);
+        if (content) idEnd_ = std::max(idEnd_, idEndIn(content->delta));
         const std::int64_t step = rows.integer(0);
-        if (stored && step >= 0 && step < mostSteps)
-          steps.insert_or_assign(step, HistoryStep{.id = std::bit_cast<StepId>(rows.integer(5)),
-                                                   .text = rows.text(3),
-                                                   .author = rows.text(2),
-                                                   .time = rows.integer(1),
-                                                   .delta = std::move(stored->delta),
-                                                   .points = std::move(stored->points),
-                                                   .replacesContracted = rows.integer(6) != 0,
-                                                   .envelope = envelopeIn(rows),
-                                                   .organs = std::move(stored->organs)});
+        if (content && step >= 0 && step < mostSteps)
+          steps.insert_or_assign(step, std::move(*content));
         else
           isDamaged = true;
       }
@@ -287,6 +301,63 @@ Imported<History> Project::history() const {
                            std::to_string(std::max(end, stored.value_or(0))) +
                            " edits, which is all that can be read: save it elsewhere");
   return result;
+}
+
+namespace {
+
+/// The plant at the stored position; none: not even that can be read as it should be.
+std::optional<Place> presentPlace(const Database& database, const std::string& file) {
+  const std::optional<std::int64_t> stored = storedPosition(database);
+  bool isDamaged = false;
+  const std::vector<std::int64_t> snapshots = snapshotSteps(database, isDamaged);
+  if (!stored || isDamaged || snapshots.empty()) return std::nullopt;
+  const std::int64_t nearest = *std::ranges::min_element(
+      snapshots, {}, [&](std::int64_t step) { return std::abs(step - *stored); });
+  const auto [first, last] = std::minmax(nearest, *stored);
+  const Journal between(database, "WHERE step >= " + std::to_string(first) + " AND step < " +
+                                      std::to_string(last));
+  requireFewIds(database, between.idEnd(), file);
+  std::optional<Place> place = nearestPlace(database, between, {nearest}, *stored);
+  return place && place->at == *stored ? std::move(place) : std::nullopt;
+}
+
+/// Steps before `position`, back to the last one that made the plant anew; none: one is damaged.
+std::optional<std::vector<HistoryStep>> lastSteps(const Database& database, std::int64_t position,
+                                                  std::size_t size) {
+  std::vector<HistoryStep> steps;
+  try {
+    Statement rows = journalRows(database, "WHERE step < " + std::to_string(position), "DESC");
+    for (std::int64_t at = position; at > 0; --at) {
+      if (!rows.step() || rows.integer(0) != at - 1) return std::nullopt;
+      std::optional<HistoryStep> step = stepIn(rows);
+      if (!step) return std::nullopt;
+      steps.push_back(std::move(*step));
+      if (madePlantAnew(steps.back(), size)) break;
+      for (const SkeletonDelta::Change& change : steps.back().delta.changes) {
+        if (!change.before) --size;
+        if (!change.after) ++size;
+      }
+    }
+  } catch (const DamagedFile&) {
+    return std::nullopt;
+  }
+  std::ranges::reverse(steps);
+  return steps;
+}
+
+} // namespace
+
+History Project::lastWork() const {
+  std::optional<Place> place = presentPlace(database_, path_.string());
+  std::optional<std::vector<HistoryStep>> steps;
+  if (place) steps = lastSteps(database_, place->at, place->skeleton.size());
+  if (!steps) return history().value;
+  const std::size_t position = steps->size();
+  return {.skeleton = std::move(place->skeleton),
+          .leftOut = std::move(place->leftOut),
+          .steps = std::move(*steps),
+          .position = position,
+          .organs = std::move(place->organs)};
 }
 
 void Project::record(std::size_t kept, std::span<const HistoryStep> added, std::size_t position,

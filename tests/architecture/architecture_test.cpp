@@ -75,7 +75,8 @@ const Rooms roomsOfCore = {
     {"io/plantgl", {"io/bytes"}},
     {"io/qsm", {"io/bytes"}},
     {"io", {"io/points", "io/structures", "io/plantgl", "io/qsm"}},
-    {"project", {"pipeline"}}};
+    {"project", {"pipeline"}},
+    {"worklist", {"io", "project"}}};
 
 const Rooms roomsOfWindow = {{"frame", {}},
                              {"files", {"frame"}},

@@ -108,6 +108,11 @@ void FileFlow::open(const QStringList& paths) {
   open(paths, Asking::ifUnclear);
 }
 
+void FileFlow::openPlant(const QString& path) {
+  if (isProjectName(path)) return open({path});
+  read({.paths = {path}, .request = scanRequest(parts_.settings), .isPlant = true});
+}
+
 void FileFlow::openWithChoices(const QStringList& paths) {
   open(paths, Asking::always);
 }
@@ -156,7 +161,8 @@ void FileFlow::read(const Opening& opening) {
   bool hasStructure = false;
   for (const QString& path : opening.paths)
     (formatOf(toPath(path)).content == Content::points ? hasScan : hasStructure) = true;
-  const bool isAnotherPlant = hasScan && !opening.take && parts_.document.scan() != nullptr;
+  const bool isAnotherPlant =
+      hasScan && !opening.take && (opening.isPlant || parts_.document.scan() != nullptr);
   const bool isAtOnce =
       !isAnotherPlant && !hasStructure && !opening.take && opening.toRegister.isEmpty();
   const QFileInfo file(opening.paths.front());

@@ -49,7 +49,10 @@ public:
   /// is it asked what to do with unsaved edits that it would replace.
   /// @throws Error if a file cannot be read or a job is running
   void open(const QStringList& paths);
-  /// The same, but how a scan is read is asked first, in any case.
+  /// The same of one file, which is a plant of its own: a scan is not asked about as another one of
+  /// the plant that is open, nor comes under its skeleton.
+  void openPlant(const QString& path);
+  /// As open(), but how a scan is read is asked first, in any case.
   void openWithChoices(const QStringList& paths);
 
   /// Reads another scan of the plant, as a job, and hands it out; how it is to be read is asked
@@ -82,6 +85,7 @@ private:
     QStringList paths;
     ScanRequest request;
     Asking asking = Asking::ifUnclear;
+    bool isPlant = false;                // of its own, whatever is open
     QString toRegister = {};             // a scan, once these are shown
     std::optional<LengthUnit> unit = {}; // of the scan; none: as it seems
     std::optional<UpAxis> up = {};       // likewise

@@ -149,7 +149,7 @@ bool PanelDock::isAlone() const {
 }
 
 void PanelDock::refresh() {
-  const bool isShown = isPlantShown_ && parts_.actions[action_]->isChecked();
+  const bool isShown = (isPlantShown_ || !place_.isOfPlant) && parts_.actions[action_]->isChecked();
   const bool isNew = isShown && dock_->isHidden();
   dock_->setVisible(isShown);
   if (isNew) {

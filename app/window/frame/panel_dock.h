@@ -36,9 +36,10 @@ public:
   };
   struct Place {
     Qt::DockWidgetArea side = Qt::BottomDockWidgetArea;
-    int size = 220;       // [pixels] across that side; of a window of 800 the plant keeps most
-    bool isShown = false; // until one has chosen
-    bool isTab = true;    // else it has a place of its own, as wide or high as what is beside it
+    int size = 220;        // [pixels] across that side; of a window of 800 the plant keeps most
+    bool isShown = false;  // until one has chosen
+    bool isTab = true;     // else it has a place of its own, as wide or high as what is beside it
+    bool isOfPlant = true; // else it is there without one, too
   };
   PanelDock(const Parts& parts, const Name& name, QWidget* panel, QObject* parent)
       : PanelDock(parts, name, Place(), panel, parent) {}

@@ -4,6 +4,7 @@
 #include "app/window/frame/panel_dock.h"
 #include "app/window/review/finding_remedy.h"
 #include "app/window/review/findings_text.h"
+#include "core/project/work_state.h"
 #include "core/skeleton/checks.h"
 #include "core/skeleton/checks_of_scan.h"
 #include "core/skeleton/path_edits.h"
@@ -64,6 +65,9 @@ FindingsFlow::FindingsFlow(const Parts& parts) : parts_(parts) {
   keepInProject({.name = "check_limits",
                  .text = [this] { return textOf(panel_->checks().chosen()); },
                  .show = [this](const std::string& text) { showLimits(text); }});
+  keepInProject({.name = openFindingsName,
+                 .text = [this] { return openNote_; },
+                 .show = [this](const std::string& text) { openNote_ = text; }});
   connectParts();
   showAction();
 }
@@ -151,7 +155,8 @@ void FindingsFlow::connectParts() {
     reportedOfSkeleton_.clear();
     reportedOfScan_.clear();
     isScanChecked_ = false;
-    ignored_.clear(); // a project shows its own once its skeleton is there
+    ignored_.clear();  // a project shows its own once its skeleton is there
+    openNote_.clear(); // likewise
     list();
     later();
   });
@@ -172,6 +177,7 @@ void FindingsFlow::connectParts() {
   connect(&job_, &JobSlot::finished, this, [this] {
     if (std::exchange(isJobOutdated_, false)) startJob();
     panel_->setChecking(!isAllChecked());
+    noteOpen();
     answer();
   });
   connect(&job_, &JobSlot::failed, this, &FindingsFlow::noted);
@@ -203,6 +209,7 @@ void FindingsFlow::refresh() {
     keepStillSo(ofSkeleton_, reportedOfSkeleton_,
                 [&] { return check(skeleton, spacing(), twiceAsSensitive(limits())); });
     list();
+    noteOpen();
   }
   startJob();
 }
@@ -292,6 +299,14 @@ void FindingsFlow::list() {
   panel_->setChecking(!isAllChecked());
 }
 
+void FindingsFlow::noteOpen() {
+  const bool isKnown = dock_->isShown() && isAllChecked() && !timer_.isActive() &&
+                       !parts_.document.skeleton().isEmpty();
+  if (!isKnown) return;
+  const std::string now = std::to_string(findings_.size());
+  if (std::exchange(openNote_, now) != now) emit keptChanged();
+}
+
 bool FindingsFlow::isIgnored(const Finding& finding) const {
   return std::ranges::any_of(ignored_,
                              [&](const Finding& other) { return isSame(other, finding); });
@@ -301,6 +316,7 @@ void FindingsFlow::ignore(const Finding& finding) {
   if (isIgnored(finding)) return;
   ignored_.push_back(finding);
   list();
+  noteOpen();
   emit keptChanged();
 }
 
@@ -429,6 +445,7 @@ void FindingsFlow::toggleIgnored() {
     if (!findings_.empty()) // the one that takes its place
       panel_->setCurrent(findings_[std::min(static_cast<std::size_t>(at), findings_.size() - 1)]);
   }
+  noteOpen();
   emit keptChanged();
 }
 

@@ -93,7 +93,8 @@ private:
   void take(Found found);
   [[nodiscard]] double spacing() const; // between points [L]; 0: there is no scan
   [[nodiscard]] bool isAllChecked() const;
-  void list(); // what was found last, without what is gone
+  void list();     // what was found last, without what is gone
+  void noteOpen(); // how many are open, for what shows the project without checking it
   void step(int by);
   void noteNothing();
   void answer();
@@ -123,6 +124,7 @@ private:
   std::vector<Finding> findings_;
   std::vector<Finding> shownIgnored_; // that are still found
   std::vector<Finding> ignored_;      // all that one has ignored
+  std::string openNote_;              // how many were open when all was checked last; empty: never
 };
 
 } // namespace espalier

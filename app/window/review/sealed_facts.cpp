@@ -23,22 +23,6 @@ bool hasLength(const Skeleton& skeleton) {
   return coverage(skeleton).totalLength() > 0;
 }
 
-/// @param result, reference  as they lie
-SealedAgreement agreement(const QString& with, const Skeleton& result, const Skeleton& reference,
-                          double tolerance, const Progress& progress) {
-  const double distance = resolved({.distance = tolerance}, reference).distance;
-  ComparedPlants plants(result, reference,
-                        {.tolerance = {.distances = {distance}}, .placeDistance = distance},
-                        progress);
-  const auto score = [&](std::string_view key) { return scoreOf(key).compute(plants); };
-  return {.with = with.toStdString(),
-          .distance = distance,
-          .precision = score("precision").value_or(0),
-          .recall = score("recall").value_or(0),
-          .f = score(leadingScore).value_or(0),
-          .structural = score("structural")};
-}
-
 void checkPoints(const ToSeal& from, SealedFacts& facts, const Progress& progress) {
   const PointDistances distances(from.points, from.spacing, from.plant, progress.part(0, 0.5));
   const double reach = from.limits.pointReach * exactness(distances, from.spacing, from.limits);
@@ -53,6 +37,21 @@ void checkPoints(const ToSeal& from, SealedFacts& facts, const Progress& progres
 
 } // namespace
 
+SealedAgreement agreement(const std::string& with, const Skeleton& result,
+                          const Skeleton& reference, double tolerance, const Progress& progress) {
+  const double distance = resolved({.distance = tolerance}, reference).distance;
+  ComparedPlants plants(result, reference,
+                        {.tolerance = {.distances = {distance}}, .placeDistance = distance},
+                        progress);
+  const auto score = [&](std::string_view key) { return scoreOf(key).compute(plants); };
+  return {.with = with,
+          .distance = distance,
+          .precision = score("precision").value_or(0),
+          .recall = score("recall").value_or(0),
+          .f = score(leadingScore).value_or(0),
+          .structural = score("structural")};
+}
+
 SealedFacts sealedFacts(const ToSeal& from, const Progress& progress) {
   SealedFacts facts;
   facts.findings = check(from.plant, from.spacing, from.limits);
@@ -60,15 +59,16 @@ SealedFacts sealedFacts(const ToSeal& from, const Progress& progress) {
   if (!hasLength(from.plant)) return facts;
   if (hasLength(from.beginning.skeleton))
     facts.state.automatic =
-        agreement(from.beginning.isReconstructed ? SealedFactsText::tr("the reconstruction")
-                                                 : SealedFactsText::tr("what was opened"),
+        agreement((from.beginning.isReconstructed ? SealedFactsText::tr("the reconstruction")
+                                                  : SealedFactsText::tr("what was opened"))
+                      .toStdString(),
                   from.beginning.skeleton, from.plant, 0, progress.part(0.4, 0.7));
   if (from.reference && hasLength(*from.reference)) {
     const Skeleton laid =
         moved(*from.reference,
               referenceMotion(from.plant, *from.reference, from.how, progress.part(0.7, 0.8)));
-    facts.state.other = agreement(QString::fromStdString(from.referenceName), from.plant, laid,
-                                  from.how.tolerance, progress.part(0.8, 1));
+    facts.state.other =
+        agreement(from.referenceName, from.plant, laid, from.how.tolerance, progress.part(0.8, 1));
   }
   return facts;
 }

@@ -35,4 +35,12 @@ struct SealedFacts {
 /// @throws Cancelled if `progress` asks to stop
 [[nodiscard]] SealedFacts sealedFacts(const ToSeal& from, const Progress& progress);
 
+/// How a structure agrees with another, both as they lie.
+/// @param tolerance  what is called near [L]; 0: as `reference` suggests
+/// pre: both have a length
+/// @throws Cancelled if `progress` asks to stop
+[[nodiscard]] SealedAgreement agreement(const std::string& with, const Skeleton& result,
+                                        const Skeleton& reference, double tolerance,
+                                        const Progress& progress);
+
 } // namespace espalier

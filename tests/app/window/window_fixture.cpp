@@ -41,6 +41,7 @@ WindowTest::WindowTest()
           std::make_unique<QSettings>(folder_.filePath("settings.ini"), QSettings::IniFormat)) {
   settings_->setValue("sessions_folder", path("sessions"));
   settings_->setValue("sample_folder", path("samples"));
+  settings_->setValue("pictures_folder", path("pictures"));
   restart();
 }
 

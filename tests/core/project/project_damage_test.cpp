@@ -73,6 +73,13 @@ TEST(DamagedProject, GivesTheVersionsThatCanBeRead) {
       << "the plant is whole";
 }
 
+TEST(DamagedProject, GivesAsLastWorkWhatItsHistoryIs) {
+  const fs::path file = projectOfTenMoves();
+  Database(file, Opening::readWrite).execute("UPDATE journal SET delta = x'00' WHERE step = 4");
+  const Project project = Project::open(file, Access::readOnly);
+  EXPECT_EQ(project.lastWork(), project.history().value);
+}
+
 TEST(DamagedProject, GivesThePlantUpToTheLastGoodStep) {
   const fs::path file = projectOfTenMoves();
   const Database database(file, Opening::readWrite);

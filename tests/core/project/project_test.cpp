@@ -1,6 +1,8 @@
+#include "core/project/corrections.h"
 #include "core/project/piece_writer.h"
 #include "core/project/project.h"
 #include "core/project/project_schema.h"
+#include "core/skeleton/edits.h"
 #include "tests/core/io/samples.h"
 #include "tests/core/project/edits_at_random.h"
 #include "tests/support/plants.h"
@@ -74,6 +76,52 @@ TEST(Project, KeepsNamedVersionsWhateverBecomesOfTheHistory) {
                 return 0;
               }),
               HasSubstr("open to read only"));
+}
+
+// What a list of plants reads of it, however much was done before.
+TEST(Project, ReadsTheLastWorkAlone) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const fs::path file = test::freshFolder() / "oak.espalier";
+    History history = withEdits(40, seed);
+    const std::size_t before = history.position;
+    history.steps.resize(before);
+    if (seed % 2 == 0) { // half of them end in a reconstruction and an edit
+      const auto step = [&](const auto& change, bool isRun) {
+        SkeletonEditor editor(history.skeleton);
+        change(editor);
+        history.steps.push_back({.id = StepId{1000 + history.position},
+                                 .delta = editor.commit(),
+                                 .replacesContracted = isRun});
+        ++history.position;
+      };
+      step([](SkeletonEditor& editor) { replaceSkeleton(editor, test::fork(3)); }, true);
+      step([](SkeletonEditor& editor) { (void)editor.add({}); }, false);
+    }
+    (void)Project::create(file, history);
+    const History last = Project::open(file, Access::readOnly).lastWork();
+    EXPECT_EQ(last.skeleton, history.skeleton);
+    EXPECT_EQ(last.leftOut, history.leftOut);
+    EXPECT_EQ(last.organs, history.organs);
+    EXPECT_EQ(handWork(last.steps, last.skeleton), handWork(history.steps, history.skeleton));
+    EXPECT_EQ(last.position, last.steps.size());
+    if (seed % 2 == 0) {
+      EXPECT_EQ(last.steps.size(), 2U);
+    }
+  }
+}
+
+TEST(Project, ReadsTheLastWorkOfAPlantThatIsPartlyUndone) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  test::EditsAtRandom edits({.skeleton = test::randomPlant(30, 5)}, 5);
+  Project project = Project::create(file, edits.history());
+  for (int i = 0; i < 60; ++i) {
+    const auto act = edits.next();
+    project.record(act.kept, act.added, act.position);
+    const History last = project.lastWork();
+    ASSERT_EQ(last.skeleton, edits.history().skeleton) << "after act " << i;
+    const auto done = std::span(edits.history().steps).first(edits.history().position);
+    ASSERT_EQ(handWork(last.steps, last.skeleton), handWork(done, edits.history().skeleton));
+  }
 }
 
 // The points of the scan before come first, so that all steps keep theirs.

@@ -1,0 +1,132 @@
+#include "app/window/review/worklist_reading.h"
+
+#include "app/window/review/sealed_facts.h"
+#include "core/base/error.h"
+#include "core/evaluate/match/comparable.h"
+#include "core/io/glance.h"
+#include "core/project/content_hash.h"
+#include "ui/panels/plant_picture.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include <system_error>
+
+namespace espalier {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int pictureSize = 96; // [pixels], for screens of high resolution, too
+
+void stamp(const fs::path& path, std::int64_t& time, std::uint64_t& size) {
+  std::error_code isMissing;
+  const auto bytes = fs::file_size(path, isMissing);
+  if (isMissing) return;
+  size = bytes;
+  time = fs::last_write_time(path, isMissing).time_since_epoch().count();
+}
+
+FileStamp stampOf(const fs::path& path) {
+  FileStamp found;
+  stamp(path, found.time, found.size);
+  stamp(path.string() + "-wal", found.waitingTime, found.waitingSize);
+  return found;
+}
+
+QString hexOf(std::uint64_t value) {
+  return QStringLiteral("%1").arg(value, 16, 16, QLatin1Char('0'));
+}
+
+/// Of all pictures of a file.
+QString beginningOfName(const fs::path& file) {
+  return hexOf(contentHash(file.string())) + "-";
+}
+
+QString nameOfPicture(const fs::path& file, const FileStamp& stamp) {
+  const std::string text = std::to_string(stamp.time) + " " + std::to_string(stamp.size) + " " +
+                           std::to_string(stamp.waitingTime) + " " +
+                           std::to_string(stamp.waitingSize);
+  return beginningOfName(file) + hexOf(contentHash(text)) + ".png";
+}
+
+UpAxis upOfGlance(const PointGlance& glance) {
+  if (glance.up.value == "x") return UpAxis::x;
+  return glance.up.value == "y" ? UpAxis::y : UpAxis::z;
+}
+
+} // namespace
+
+SurveyedWorklist surveyWorklist(const fs::path& place) {
+  SurveyedWorklist found;
+  try {
+    found.list = readWorklist(place);
+  } catch (const Error& error) {
+    found.problem = QString::fromUtf8(error.what());
+    return found;
+  }
+  for (const fs::path& project : found.list.projects)
+    found.stamps.emplace(project, stampOf(project));
+  for (const WorklistLine& line : found.list.lines)
+    if (!line.file.empty()) found.stamps.emplace(line.file, stampOf(line.file));
+  return found;
+}
+
+QImage PictureCache::find(const fs::path& file, const FileStamp& stamp) const {
+  return QImage(folder + "/" + nameOfPicture(file, stamp));
+}
+
+void PictureCache::keep(const fs::path& file, const FileStamp& stamp, const QImage& picture) const {
+  QDir().mkpath(folder);
+  QDir pictures(folder);
+  for (const QString& older : pictures.entryList({beginningOfName(file) + "*"}, QDir::Files))
+    pictures.remove(older);
+  (void)picture.save(pictures.filePath(nameOfPicture(file, stamp)));
+}
+
+ReadPlant readProjectOf(const fs::path& project, const FileStamp& stamp,
+                        const PictureCache& pictures) {
+  ReadPlant plant;
+  try {
+    const Project opened = Project::open(project, Access::readOnly);
+    const History work = opened.lastWork();
+    plant.work.state = workState(opened, work);
+    plant.picture = pictures.find(project, stamp);
+    if (!plant.picture.isNull() || work.skeleton.isEmpty()) return plant;
+    plant.picture = pictureOf(work.skeleton, pictureSize);
+    pictures.keep(project, stamp, plant.picture);
+  } catch (const Error& error) {
+    plant.work.problem = error.what();
+  }
+  return plant;
+}
+
+ReadPlant readScanOf(const fs::path& scan, const FileStamp& stamp, const PictureCache& pictures) {
+  ReadPlant plant{.picture = pictures.find(scan, stamp)};
+  if (!plant.picture.isNull()) return plant;
+  try {
+    const PointGlance glance = glanceAt(scan);
+    plant.picture = pictureOf(glance.sample, upOfGlance(glance), pictureSize);
+    pictures.keep(scan, stamp, plant.picture);
+  } catch (const Error& error) {
+    plant.work.problem = error.what();
+  }
+  return plant;
+}
+
+std::optional<SealedAgreement> agreementOf(const fs::path& project, const fs::path& second,
+                                           const Progress& progress) {
+  try {
+    const History plant = Project::open(project, Access::readOnly).lastWork();
+    const Project other = Project::open(second, Access::readOnly);
+    const History reference = other.lastWork();
+    if (!(totalLength(plant.skeleton) > 0) || !(totalLength(reference.skeleton) > 0))
+      return std::nullopt;
+    return agreement(workState(other, reference).annotator, plant.skeleton, reference.skeleton, 0,
+                     progress);
+  } catch (const Error&) { // its row says why it cannot be read
+    return std::nullopt;
+  }
+}
+
+} // namespace espalier

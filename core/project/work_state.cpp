@@ -1,0 +1,65 @@
+#include "core/project/work_state.h"
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/project/corrections.h"
+#include "core/project/structure_hash.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace espalier {
+namespace {
+
+std::optional<Seal> sealOf(const Project& project) {
+  const std::string text = project.document("seal");
+  if (text.empty()) return std::nullopt;
+  try {
+    return sealFrom(text);
+  } catch (const Error&) { // the window says so when it opens the project
+    return std::nullopt;
+  }
+}
+
+/// @param seal  that holds; none: there is none
+std::optional<std::size_t> openFindingsIn(const Project& project, const Seal* seal) {
+  if (seal != nullptr && seal->state) return seal->state->openFindings();
+  const std::optional<double> known = numberIn(project.document(openFindingsName));
+  constexpr double most = 1e9; // no plant has as many
+  if (!known || !(*known >= 0 && *known < most)) return std::nullopt;
+  return static_cast<std::size_t>(*known);
+}
+
+bool hasMarks(const Skeleton& skeleton) {
+  const std::vector<NodeId> ids = skeleton.ids();
+  return std::ranges::any_of(ids, [&](NodeId id) {
+    const ReviewMark& mark = skeleton[id].review;
+    return mark.state != ReviewState::toDo || !mark.comment.empty();
+  });
+}
+
+} // namespace
+
+WorkState workState(const Project& project, const History& history) {
+  const auto done = std::span(history.steps).first(history.position);
+  const HandWork work = handWork(done, history.skeleton);
+  WorkState state{.nodes = history.skeleton.size(),
+                  .time = work.time,
+                  .annotator = done.empty() ? std::string() : done.back().author,
+                  .seal = sealOf(project),
+                  .scan = project.scan()};
+  const bool isSigned = state.seal && state.seal->hash == StructureHash(history.skeleton).value();
+  state.openFindings = openFindingsIn(project, isSigned ? &*state.seal : nullptr);
+  if (isSigned) state.annotator = state.seal->author;
+  if (history.skeleton.isEmpty())
+    state.stage = WorkStage::toDo;
+  else if (isSigned)
+    state.stage = WorkStage::finished;
+  else if (state.seal || work.corrections.edits > 0 || hasMarks(history.skeleton))
+    state.stage = WorkStage::inReview;
+  else
+    state.stage = WorkStage::automatic;
+  return state;
+}
+
+} // namespace espalier

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "core/project/work_state.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace espalier {
+
+/// A plant as a worklist names it.
+struct WorklistLine {
+  std::filesystem::path file; // a project or a scan, absolute; empty where the line has a problem
+  std::string annotator = {}; // as a table has it; empty: not named
+  std::string second = {};    // likewise, who annotates the plant beside
+  std::vector<std::string> others = {}; // what a table has in its further columns
+  std::string problem = {};             // of the line, which it names; empty: none
+};
+
+/// Plants that are worked on one after another.
+struct Worklist {
+  std::filesystem::path place;     // a folder or a table, absolute
+  std::vector<std::string> others; // names of the further columns of a table
+  std::vector<WorklistLine> lines;
+  bool isTable = false;
+  /// All that lie in the folders of the lines, by name; those of a table may name the scans alone.
+  std::vector<std::filesystem::path> projects;
+};
+
+[[nodiscard]] bool isProjectName(const std::filesystem::path& path); // "*.espalier"
+
+/// Reads which plants there are: the projects and scans of a folder, without those below it, or a
+/// CSV table with a column `file`, and those named `annotator` and `second annotator` if it has
+/// them. No project or scan is opened; a folder is asked for the beginning of its files.
+///
+/// In a folder, texts named .txt and .csv are left out, which mostly are no scans. Files of a table
+/// are sought from its folder. A line has a problem if it names no file, one that is not there,
+/// one that is neither project nor scan, or one that came before.
+///
+/// @throws Error if the place cannot be read, a table has no column `file`, or no plant is found
+[[nodiscard]] Worklist readWorklist(const std::filesystem::path& place);
+
+/// What is known of a project: its state, or why it cannot be read.
+struct KnownWork {
+  std::optional<WorkState> state = {};
+  std::string problem = {};
+};
+using KnownWorks = std::map<std::filesystem::path, KnownWork>; // by the path of the project
+
+/// A plant of a worklist, with what is known of it.
+struct WorklistRow {
+  std::filesystem::path project = {}; // empty: none is known
+  std::filesystem::path scan = {};    // empty: none is known, or it is no file of its own
+  std::string annotator = {};
+  std::string second = {};
+  std::filesystem::path secondProject = {}; // of the second annotator; empty: none
+  std::vector<std::string> others = {};
+  std::optional<WorkState> state = {}; // none: not read yet, there is no project, or a problem
+  std::string problem = {};
+  bool isRead = true; // false: its project is not known yet
+
+  /// The file to open: the project, else the scan.
+  [[nodiscard]] const std::filesystem::path& file() const {
+    return project.empty() ? scan : project;
+  }
+  [[nodiscard]] WorkStage stage() const { return state ? state->stage : WorkStage::toDo; }
+};
+
+/// The rows of a worklist as far as its projects are known.
+///
+/// In a folder, each project is a row, and each scan that no project is of. In a table, each line
+/// is: one that names a scan has the project of that scan by its annotator, else one that is named
+/// like the scan, else the first by name. A project is of a scan that lies where it was found last,
+/// or has its name and size. The second project is one of the same scan by the second annotator,
+/// or by any other where a table names none. Time O(N log N).
+[[nodiscard]] std::vector<WorklistRow> rowsOf(const Worklist& list, const KnownWorks& known);
+
+} // namespace espalier

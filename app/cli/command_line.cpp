@@ -42,6 +42,7 @@ void addAll(CLI::App& app) {
   addEvaluate(app);
   addTraits(app);
   addEnvelope(app);
+  addConsensus(app);
   addNoise(app);
   addConvert(app);
   addInfo(app);

@@ -20,6 +20,7 @@ void addSweep(CLI::App& app);
 void addEvaluate(CLI::App& app);
 void addTraits(CLI::App& app);
 void addEnvelope(CLI::App& app);
+void addConsensus(CLI::App& app);
 void addNoise(CLI::App& app);
 void addConvert(CLI::App& app);
 void addInfo(CLI::App& app);

@@ -15,6 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool isProjectName(const fs::path& path) {
+  return lowerCase(path.extension().string()) == ".espalier";
+}
+
 fs::path wholePath(const fs::path& path) {
   std::error_code failed;
   const fs::path whole = fs::weakly_canonical(path, failed);
@@ -222,10 +226,6 @@ WorklistRow rowOf(const WorklistLine& line, bool isTable, const ProjectsByScan& 
 }
 
 } // namespace
-
-bool isProjectName(const fs::path& path) {
-  return lowerCase(path.extension().string()) == ".espalier";
-}
 
 Worklist readWorklist(const fs::path& place) {
   const fs::path path = wholePath(place);

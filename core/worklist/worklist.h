@@ -30,8 +30,6 @@ struct Worklist {
   std::vector<std::filesystem::path> projects;
 };
 
-[[nodiscard]] bool isProjectName(const std::filesystem::path& path); // "*.espalier"
-
 /// Reads which plants there are: the projects and scans of a folder, without those below it, or a
 /// CSV table with a column `file`, and those named `annotator` and `second annotator` if it has
 /// them. No project or scan is opened; a folder is asked for the beginning of its files.

@@ -133,7 +133,7 @@ void VersionsFlow::compare() {
   QInputDialog dialog(&parts_.window);
   dialog.setObjectName("compare_version");
   dialog.setWindowTitle(tr("Compare With Version"));
-  dialog.setLabelText(tr("Each difference can be gone to, and taken back:"));
+  dialog.setLabelText(tr("Compare the plant as it is now with:"));
   dialog.setOption(QInputDialog::UseListViewForComboBoxItems);
   dialog.setComboBoxItems(texts);
   dialog.setTextValue(texts.front());

@@ -1,0 +1,115 @@
+#include "core/evaluate/differences/consensus.h"
+
+#include "app/cli/arguments.h"
+#include "app/cli/commands.h"
+#include "app/cli/files.h"
+#include "app/cli/terminal.h"
+#include "core/base/counted.h"
+#include "core/evaluate/match/comparable.h"
+#include "core/evaluate/match/tolerance_curve.h"
+#include "core/project/project.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <memory>
+
+namespace espalier {
+namespace {
+
+struct ConsensusFlags {
+  std::vector<std::string> plants;
+  std::string output;
+  std::string json;
+  double distance = 0; // [L]; 0: by the rule
+  MtgStyle mtgStyle = MtgStyle::plantNode;
+};
+
+/// The plant of an expert: that of a project, or a structure.
+Skeleton plantIn(const std::string& file) {
+  Imported<Skeleton> plant;
+  if (isProject(file)) {
+    Imported<History> history = Project::open(file, Access::readOnly).history();
+    plant = {std::move(history.value.skeleton), std::move(history.notes)};
+  } else {
+    Imported<Structure> structure = readStructure(file);
+    plant = {std::move(structure.value.skeleton), std::move(structure.notes)};
+  }
+  printNotes(plant.notes);
+  requireComparable(plant.value, file);
+  return std::move(plant.value);
+}
+
+nlohmann::ordered_json numbersOf(const ConsensusFlags& flags, const Consensus& consensus,
+                                 double tolerance) {
+  nlohmann::ordered_json plants = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < flags.plants.size(); ++i)
+    plants.push_back({{"file", flags.plants[i]}, {"agreed", consensus.shares[i]}});
+  nlohmann::ordered_json places = nlohmann::ordered_json::array();
+  for (const Disagreement& place : consensus.places)
+    places.push_back({{"with", flags.plants[place.with]},
+                      {"kind", nameOf(place.part.kind)},
+                      {"length", place.part.length},
+                      {"place", {place.part.at.x(), place.part.at.y(), place.part.at.z()}}});
+  return {{"distance", tolerance},
+          {"plants", plants},
+          {"nodes", consensus.agreed.size()},
+          {"trees", consensus.agreed.roots().size()},
+          {"length", totalLength(consensus.agreed)},
+          {"places", places}};
+}
+
+void writeConsensus(const ConsensusFlags& flags) {
+  if (flags.plants.size() < 2)
+    throw WrongUsage("a consensus is of two plants at least: name another file");
+  requireApart({flags.output, flags.json});
+  requireOutput(flags.output, Content::structure, flags.plants);
+  requireOutput(flags.json, flags.plants);
+  const TerminalProgress terminal;
+  std::vector<Skeleton> plants;
+  for (const std::string& file : flags.plants)
+    plants.push_back(plantIn(file));
+  const double tolerance = flags.distance > 0 ? flags.distance : usualTolerance(plants.front());
+  const Consensus consensus = consensusOf(plants, tolerance, terminal.progress());
+  terminal.check();
+  terminal.clear();
+  if (consensus.agreed.isEmpty())
+    throw Error(flags.plants.front() +
+                ": the others have none of its wood within the distance: check that all are in one "
+                "frame and unit, or give a larger --distance");
+  for (std::size_t i = 0; i < flags.plants.size(); ++i)
+    printLine(flags.plants[i] + ": agreed on " +
+              std::to_string(std::lround(100 * consensus.shares[i])) + " % of its length");
+  printLine(counted(consensus.places.size(), "place") + " to decide; " +
+            counted(consensus.agreed.roots().size(), "tree"));
+  writeAndReport(flags.output, {.skeleton = consensus.agreed}, flags.mtgStyle);
+  if (!flags.json.empty()) writeJson(flags.json, numbersOf(flags, consensus, tolerance));
+}
+
+} // namespace
+
+void addConsensus(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "consensus", "Write the wood on which several structures of one plant agree");
+  const auto flags = std::make_shared<ConsensusFlags>();
+  command
+      ->add_option("PLANT", flags->plants,
+                   "Structures or projects of one plant in one frame, two or more. What is written "
+                   "lies where the first has it")
+      ->required();
+  addOutput(*command, flags->output, "Structure to write, in the format of its extension");
+  command->add_option("--distance", flags->distance, "How far apart counts as the same wood")
+      ->type_name("LENGTH")
+      ->check(number(1e-12, 1e12))
+      ->default_str("2/9 of the median edge of the first");
+  command->add_option("--json", flags->json, "Write shares and places that differ as JSON")
+      ->type_name("FILE");
+  addMtgStyle(*command, flags->mtgStyle);
+  command->callback([flags] { writeConsensus(*flags); });
+  command->footer("Nothing is registered: experts of one scan have one frame.\n\n"
+                  "Examples:\n"
+                  "  espalier consensus anna.espalier ben.espalier -o agreed.mtg\n"
+                  "  espalier consensus a.mtg b.mtg c.mtg -o agreed.mtg --json places.json");
+}
+
+} // namespace espalier

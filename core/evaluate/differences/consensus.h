@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/evaluate/differences/differences.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace espalier {
+
+/// A place where a skeleton differs from the first one.
+struct Disagreement {
+  std::size_t with = 1; // its number among the skeletons
+  DifferingPart part;   // the first is the result, this one the reference; ids are theirs
+};
+
+/// What several skeletons of one plant agree on.
+struct Consensus {
+  /// Wood of the first that each other one has, where it has it. Nodes are numbered anew and have
+  /// positions, radii and types alone. Wood that is attached elsewhere in one of them, or that what
+  /// is not agreed on would bear, is a tree of its own.
+  Skeleton agreed;
+  std::vector<Disagreement> places; // by skeleton, of each the longest first
+  std::vector<double> shares;       // of the length of each skeleton, that near all of the agreed
+};
+
+/// Finds on what wood several skeletons of one plant agree, as differences() sees them: that of the
+/// first which all others have, within the tolerance, on the same path from the root. Which one is
+/// first decides where it lies, and nothing else but for what lies at the edge of the tolerance.
+///
+/// @param plants    at least 2, in one frame: nothing is registered
+/// @param tolerance [L], > 0
+/// @throws as differences()
+/// Deterministic. Time that of differences(), once for each but the first and once more for each.
+[[nodiscard]] Consensus consensusOf(std::span<const Skeleton> plants, double tolerance,
+                                    const Progress& progress = {});
+
+} // namespace espalier

@@ -1,0 +1,62 @@
+#include "core/io/formats.h"
+#include "core/project/project.h"
+#include "tests/app/cli/subcommands.h"
+#include "tests/support/plants.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <gmock/gmock.h>
+
+namespace espalier {
+namespace {
+
+using test::Outcome;
+using test::runProgram;
+using testing::HasSubstr;
+
+struct ConsensusCommand : test::Subcommands {
+  std::string three_; // shoots
+  std::string two_;   // of these, as a project
+
+  void SetUp() override {
+    three_ = file("three.mtg");
+    two_ = file("two.espalier");
+    writeStructure(three_, test::fork(3));
+    Skeleton plant = test::fork(3);
+    plant.erase(plant.ids().back());
+    (void)Project::create(two_, {.skeleton = plant});
+  }
+};
+
+TEST_F(ConsensusCommand, WritesWhatAStructureAndAProjectAgreeOn) {
+  const Outcome outcome =
+      runProgram({"consensus", three_, two_, "-o", file("out.mtg"), "--json", file("out.json")});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("two.espalier: agreed on 100 % of its length"));
+  EXPECT_THAT(outcome.err, HasSubstr("1 place to decide; 1 tree"));
+  EXPECT_EQ(readStructure(file("out.mtg")).value.skeleton.size(), 4U);
+  const auto json = nlohmann::json::parse(std::ifstream(file("out.json")));
+  ASSERT_EQ(json["places"].size(), 1U);
+  EXPECT_EQ(json["places"][0]["kind"], "invented");
+  EXPECT_EQ(json["places"][0]["with"], two_);
+  EXPECT_EQ(json["nodes"], 4);
+  EXPECT_GT(json["plants"][1]["agreed"], json["plants"][0]["agreed"]);
+}
+
+TEST_F(ConsensusCommand, RefusesOnePlantAndPlantsApart) {
+  EXPECT_EQ(runProgram({"consensus", three_, "-o", file("out.mtg")}).status, 2);
+  Skeleton away = test::fork(3);
+  for (const NodeId id : away.ids())
+    away.setPosition(id, away[id].position + Eigen::Vector3d(0, 90, 0));
+  writeStructure(file("away.mtg"), away);
+  const Outcome outcome =
+      runProgram({"consensus", three_, file("away.mtg"), "-o", file("out.mtg")});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("check that all are in one frame and unit"));
+  EXPECT_EQ(runProgram({"consensus", three_, two_, "-o", three_}).status, 1) << "it is read";
+}
+
+} // namespace
+} // namespace espalier

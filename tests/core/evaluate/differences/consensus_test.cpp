@@ -1,0 +1,106 @@
+#include "core/evaluate/differences/consensus.h"
+#include "core/evaluate/match/comparable.h"
+#include "core/skeleton/tree_edits.h"
+#include "tests/core/evaluate/differences/differing_plants.h"
+#include "tests/support/canonical.h"
+#include "tests/support/plants.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+namespace espalier {
+namespace {
+
+constexpr double nearBy = 0.1;
+
+Consensus consensusOfAll(const std::vector<Skeleton>& plants) {
+  return consensusOf(plants, nearBy);
+}
+
+TEST(Consensus, OfEqualPlantsIsThePlant) {
+  const Skeleton plant = test::trunkAndBranch().plant;
+  const Consensus found = consensusOfAll({plant, plant, plant});
+  EXPECT_EQ(test::canonical(found.agreed), test::canonical(plant));
+  EXPECT_TRUE(found.places.empty());
+  EXPECT_EQ(found.shares, std::vector<double>(3, 1));
+}
+
+TEST(Consensus, LeavesOutWhatOneOfThemLacks) {
+  const auto [plant, trunk, branch] = test::trunkAndBranch();
+  const Skeleton bare = test::edited(
+      plant, [first = branch[0]](SkeletonEditor& editor) { removeSubtree(editor, first); });
+  for (const bool isFirst : {true, false}) {
+    const Consensus found =
+        isFirst ? consensusOfAll({plant, plant, bare}) : consensusOfAll({bare, plant, plant});
+    EXPECT_EQ(test::canonical(found.agreed), test::canonical(bare));
+    ASSERT_EQ(found.places.size(), isFirst ? 1U : 2U);
+    EXPECT_EQ(found.places[0].with, isFirst ? 2U : 1U);
+    EXPECT_EQ(found.places[0].part.kind, isFirst ? Difference::invented : Difference::missed);
+    EXPECT_NEAR(found.places[0].part.length, 4, 1e-9);
+    EXPECT_NEAR(found.shares[isFirst ? 2 : 0], 1, 1e-9) << "all of the bare one";
+    EXPECT_NEAR(found.shares[1], 10.0 / 14, 0.02) << "the trunk";
+  }
+}
+
+TEST(Consensus, MakesWhatIsAttachedElsewhereATreeOfItsOwn) {
+  // The branch runs beside the trunk, so that it can be attached to either end of it.
+  Skeleton low;
+  const NodeId root = low.add({.radius = 0.1});
+  NodeId top = root;
+  std::vector<NodeId> trunk = {root};
+  for (int z = 1; z <= 10; ++z)
+    trunk.push_back(top = low.add({.position = {0, 0, double(z)}, .radius = 0.1, .parent = top}));
+  NodeId shoot{};
+  NodeId at = trunk[2];
+  for (int z = 2; z <= 8; ++z) {
+    at = low.add({.position = {2, 0, double(z)},
+                  .radius = 0.1,
+                  .parent = at,
+                  .edge = z == 2 ? EdgeType::branching : EdgeType::successor});
+    if (z == 2) shoot = at;
+  }
+  Skeleton high = low;
+  high.makeRoot(shoot);
+  high.setPosition(shoot, {2, 0, 2});
+  high.reparent(shoot, trunk[9], EdgeType::branching);
+  const Consensus found = consensusOfAll({low, high});
+  EXPECT_TRUE(std::ranges::any_of(found.places, [](const Disagreement& place) {
+    return place.part.kind == Difference::wronglyAttached;
+  }));
+  EXPECT_EQ(found.agreed.roots().size(), 2U);
+  EXPECT_NEAR(totalLength(found.agreed), 10 + 6, 1e-9)
+      << "trunk and shoot, without what leads there";
+}
+
+TEST(Consensus, KeepsPositionsAndRadiiOfTheFirst) {
+  const Skeleton first = test::trunkAndBranch().plant;
+  Skeleton second = first;
+  for (const NodeId id : first.ids()) {
+    second.setPosition(id, first[id].position + Eigen::Vector3d(0, 0.05, 0));
+    second.setRadius(id, 7);
+  }
+  EXPECT_EQ(test::canonical(consensusOfAll({first, second}).agreed), test::canonical(first));
+}
+
+TEST(Consensus, IsEmptyWhereNothingIsNear) {
+  const Skeleton first = test::trunkAndBranch().plant;
+  Skeleton second = first;
+  for (const NodeId id : first.ids())
+    second.setPosition(id, first[id].position + Eigen::Vector3d(0, 50, 0));
+  const Consensus found = consensusOfAll({first, second});
+  EXPECT_TRUE(found.agreed.isEmpty());
+  EXPECT_EQ(found.shares, std::vector<double>(2, 0));
+}
+
+TEST(Consensus, StopsWhenAskedTo) {
+  const Skeleton plant = test::trunkAndBranch().plant;
+  std::stop_source stop;
+  stop.request_stop();
+  const std::vector<Skeleton> plants = {plant, plant};
+  EXPECT_THROW((void)consensusOf(plants, nearBy, Progress(stop.get_token(), {})), Cancelled);
+}
+
+} // namespace
+} // namespace espalier

@@ -11,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -69,7 +70,10 @@ void writeConsensus(const ConsensusFlags& flags) {
   std::vector<Skeleton> plants;
   for (const std::string& file : flags.plants)
     plants.push_back(plantIn(file));
-  const double tolerance = flags.distance > 0 ? flags.distance : usualTolerance(plants.front());
+  double tolerance = flags.distance;
+  if (tolerance == 0)
+    for (const Skeleton& plant : plants)
+      tolerance = std::max(tolerance, usualTolerance(plant));
   const Consensus consensus = consensusOf(plants, tolerance, terminal.progress());
   terminal.check();
   terminal.clear();
@@ -101,7 +105,7 @@ void addConsensus(CLI::App& app) {
   command->add_option("--distance", flags->distance, "How far apart counts as the same wood")
       ->type_name("LENGTH")
       ->check(number(1e-12, 1e12))
-      ->default_str("2/9 of the median edge of the first");
+      ->default_str("2/9 of the longest median edge");
   command->add_option("--json", flags->json, "Write shares and places that differ as JSON")
       ->type_name("FILE");
   addMtgStyle(*command, flags->mtgStyle);

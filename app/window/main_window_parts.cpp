@@ -217,7 +217,8 @@ void MainWindow::makeViews() {
   parts_.make<NodeTableFlow>(NodeTableFlow::Parts{document_, editing, window});
   parts_.make<WorklistFlow>(
       WorklistFlow::Parts{document_, queue_, window,
-                          [this](const QString& file) { parts_.get<FileFlow>().openPlant(file); }});
+                          [this](const QString& file) { parts_.get<FileFlow>().openPlant(file); },
+                          [this](const QString& file) { parts_.get<ReferenceFlow>().load(file); }});
 }
 
 void MainWindow::makeEvaluation() {

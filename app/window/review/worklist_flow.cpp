@@ -95,6 +95,12 @@ void WorklistFlow::addActions() {
                .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_J),
                .menu = "file/worklist"},
               [this] { openNext(); });
+  actions.add({.id = "compare_second",
+               .text = tr("Compare With Second Annotator"),
+               .help = tr("Loads what the second annotator has of the open plant as the reference, "
+                          "to decide place by place"),
+               .menu = "file/worklist"},
+              [this] { compareWithSecond(); });
   actions.beginSection(tr("View"));
 }
 
@@ -156,6 +162,15 @@ void WorklistFlow::openNext() {
   if (next.isEmpty())
     throw Error(tr("no other plant that the worklist shows is still to be signed").toStdString());
   open(next);
+}
+
+void WorklistFlow::compareWithSecond() {
+  const std::filesystem::path open = toPath(openFile());
+  for (const WorklistRow& row : rowsOf(list_, known_))
+    if (!open.empty() && row.project == open && !row.secondProject.empty())
+      return parts_.compareWith(QString::fromStdString(row.secondProject.string()));
+  throw Error(tr("the worklist has no project of a second annotator for the plant that is open")
+                  .toStdString());
 }
 
 void WorklistFlow::survey() {

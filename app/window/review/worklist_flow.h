@@ -33,6 +33,7 @@ public:
     JobQueue& queue;
     PanelDock::Parts window;
     std::function<void(const QString& file)> open; // a plant of its own; asks about unsaved work
+    std::function<void(const QString& file)> compareWith; // loads the reference of the open plant
   };
   explicit WorklistFlow(const Parts& parts);
   void beginWork() override;
@@ -49,6 +50,7 @@ private:
   void take(const QString& place);
   void open(const QString& file);
   void openNext();
+  void compareWithSecond();
   [[nodiscard]] QString openFile() const; // of the plant that is open; empty: it has none
 
   void survey();

@@ -1,3 +1,4 @@
+#include "app/window/evaluate/reference_flow.h"
 #include "core/worklist/worklist.h"
 #include "tests/app/window/project_fixture.h"
 #include "ui/panels/status_line.h"
@@ -189,6 +190,21 @@ TEST_F(WorklistWindowTest, ComparesTwoAnnotatorsOfOneScan) {
     EXPECT_TRUE(
         QTest::qWaitFor([&] { return cell(row, WorklistModel::agreementColumn) == "1.00"; }, soon))
         << cell(row, WorklistModel::agreementColumn).toStdString();
+}
+
+TEST_F(WorklistWindowTest, ComparesTheOpenPlantWithThatOfTheSecondAnnotator) {
+  const QString scan = writeScan("plants/scan.xyz");
+  writeProject("anna.espalier", "Anna", scan);
+  writeProject("ben.espalier", "Ben", scan);
+  chooseFolderOfPlants();
+  ASSERT_TRUE(waitForRows({"anna.espalier: In review", "ben.espalier: In review"}));
+  action("compare_second").trigger();
+  EXPECT_EQ(message(),
+            "The worklist has no project of a second annotator for the plant that is open");
+  choose(0);
+  action("compare_second").trigger();
+  waitForJob();
+  EXPECT_EQ(window().part<ReferenceFlow>().name(), "ben.espalier");
 }
 
 TEST_F(WorklistWindowTest, ShowsWhatIsWrongWithARowAndGoesOn) {

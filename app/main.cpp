@@ -1,3 +1,4 @@
+#include "app/about/version.h"
 #include "app/cli/command_line.h"
 #include "app/window/main_window.h"
 
@@ -38,7 +39,8 @@ int runEditor(int argc, char** argv) {
   qInstallMessageHandler(usual);
   QApplication::setApplicationName("Espalier");
   QApplication::setOrganizationName("Espalier");
-  QApplication::setApplicationVersion(ESPALIER_VERSION);
+  QApplication::setApplicationVersion(QString::fromStdString(espalier::programVersion()));
+  QGuiApplication::setDesktopFileName("org.espalier.Espalier"); // whose icon Wayland shows
   QSettings settings;
   espalier::MainWindow window(settings);
   window.show();

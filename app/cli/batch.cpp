@@ -1,3 +1,4 @@
+#include "app/about/version.h"
 #include "app/cli/arguments.h"
 #include "app/cli/batch_manifest.h"
 #include "app/cli/batch_summary.h"
@@ -63,7 +64,7 @@ std::string shortNumber(double value, const char* format = "%.6g") {
 /// All that a result depends on, as a text that differs when any of it differs.
 std::string inputsOf(const Batch& batch, const BatchPlant& plant) {
   std::ostringstream text;
-  text << ESPALIER_VERSION << '\n' << contentHashOfFile(plant.scan) << '\n';
+  text << programVersion() << '\n' << contentHashOfFile(plant.scan) << '\n';
   if (!plant.reference.empty()) text << contentHashOfFile(plant.reference) << '\n';
   if (plant.root)
     for (const double coordinate : *plant.root)

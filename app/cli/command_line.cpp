@@ -1,5 +1,6 @@
 #include "app/cli/command_line.h"
 
+#include "app/about/version.h"
 #include "app/cli/arguments.h"
 #include "app/cli/commands.h"
 #include "app/cli/help.h"
@@ -51,7 +52,7 @@ void addAll(CLI::App& app) {
   addPicture(app);
   addAnswer(app);
   // What subcommands would inherit comes after them.
-  app.set_version_flag("--version", "espalier " ESPALIER_VERSION, "Print the version");
+  app.set_version_flag("--version", "espalier " + programVersion(), "Print the version");
   app.footer("\"espalier SUBCOMMAND --help\" describes one. Results go to files, messages\n"
              "to standard error. Exit status: 0 done, 1 an error in one line, 2 wrong\n"
              "usage, 130 stopped by Ctrl+C.");

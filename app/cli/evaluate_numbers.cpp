@@ -1,5 +1,6 @@
 #include "app/cli/evaluate_numbers.h"
 
+#include "app/about/version.h"
 #include "app/report/comparison_report.h"
 #include "core/evaluate/study/ranking.h"
 #include "core/skeleton/axes.h"
@@ -58,7 +59,7 @@ void addMeasured(Json& json, const ReportData& data) {
 }
 
 void addOrigin(Json& json, const NumberedFiles& files) {
-  json["version"] = ESPALIER_VERSION;
+  json["version"] = programVersion();
   json["unit"] = files.unit.empty() ? Json() : Json(files.unit);
   Json& inputs = json["inputs"];
   if (files.isRanking) {

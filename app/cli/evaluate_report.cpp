@@ -1,5 +1,6 @@
 #include "app/cli/evaluate_report.h"
 
+#include "app/about/version.h"
 #include "app/cli/arguments.h"
 #include "app/cli/files.h"
 #include "app/cli/headless.h"
@@ -21,7 +22,7 @@ ReportAbout aboutOf(const ReportFlags& flags, const ReportSubject& subject) {
   about.reference = reportedFile(subject.referenceFile);
   if (!flags.scan.empty()) about.scan = reportedFile(flags.scan);
   about.date = QDate::currentDate().toString(Qt::ISODate);
-  about.version = QStringLiteral(ESPALIER_VERSION);
+  about.version = QString::fromStdString(programVersion());
   about.unit = QString::fromStdString(subject.unit);
   about.scale = subject.scale;
   about.distance = subject.distance;
@@ -82,7 +83,7 @@ void writeReport(const ReportFlags& flags, const RankingReportData& data,
     about.results.push_back(reportedFile(file));
   about.reference = reportedFile(subject.referenceFile);
   about.date = QDate::currentDate().toString(Qt::ISODate);
-  about.version = QStringLiteral(ESPALIER_VERSION);
+  about.version = QString::fromStdString(programVersion());
   about.unit = QString::fromStdString(subject.unit);
   about.scale = subject.scale;
   for (const std::string& note : subject.notes)

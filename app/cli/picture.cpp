@@ -6,11 +6,16 @@
 #include "app/cli/headless.h"
 #include "app/cli/terminal.h"
 #include "core/base/text.h"
+#include "core/cloud/file_order.h"
+#include "core/cloud/point_set.h"
 #include "core/io/atomic_file.h"
+#include "core/project/point_bytes.h"
+#include "core/project/project.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -29,6 +34,7 @@ struct PictureFlags {
   int height = 800;
   bool isDark = false;
   bool showRadii = false;
+  bool isBare = false;
   std::string unit;
 };
 
@@ -42,10 +48,47 @@ void requireColor(const PointCloud& cloud, PointColor color) {
                      ": choose another --color");
 }
 
+/// The points of a project that count; null: there are none, or they are not found.
+std::shared_ptr<const PointCloud> pointsOf(const Project& project, const PointSet& leftOut,
+                                           const Progress& progress) {
+  const auto asPlant = [&](const PointCloud& cloud) {
+    return std::make_shared<const PointCloud>(without(cloud, leftOut));
+  };
+  if (const std::string kept = project.bytes(keptCloudName); !kept.empty())
+    return asPlant(cloudFrom(kept));
+  const std::optional<ScanReference> reference = project.scan();
+  if (!reference) return nullptr;
+  const auto file = project.findScan(progress);
+  if (!file || !project.document("scan_part").empty()) {
+    printNotes({project.path().string() +
+                (file ? ": a part of its scan was opened" : ": its scan is not found") +
+                ": its points are not drawn"});
+    return nullptr;
+  }
+  const auto points = readPoints(*file, progress);
+  printNotes(points.notes);
+  return asPlant(reference->isByFile ? sortedAsInFile(points.value, progress) : points.value);
+}
+
+void setProject(Scene& scene, const std::string& file, const Progress& progress) {
+  const Project project = Project::open(file, Access::readOnly);
+  const Imported<History> history = project.history();
+  printNotes(history.notes);
+  if (auto cloud = pointsOf(project, history.value.leftOut, progress); cloud && !cloud->isEmpty())
+    scene.setCloud(std::move(cloud));
+  scene.setSkeleton(history.value.skeleton);
+}
+
 Scene sceneOf(const PictureFlags& flags, const Progress& progress) {
   Scene scene;
   bool hasStructure = false;
   for (const std::string& file : flags.files) {
+    if (isProject(file)) {
+      if (flags.files.size() > 1)
+        throw Error(file + ": a project is drawn by itself: give it alone");
+      setProject(scene, file, progress);
+      continue;
+    }
     if (formatOf(file).content == Content::points) {
       if (scene.cloud) throw Error(file + ": a picture shows one scan; give one file of points");
       auto points = readPoints(file, progress);
@@ -85,11 +128,17 @@ void drawPicture(const PictureFlags& flags) {
   const Headless headless;
   const TerminalProgress terminal;
   const Scene scene = sceneOf(flags, terminal.progress());
-  const QSize size(flags.width, flags.height);
+  // A small picture without text is drawn larger first: thin wood stays fine in it.
+  const QSize wanted(flags.width, flags.height);
+  const QSize size =
+      flags.isBare && flags.width <= 1024 && flags.height <= 1024 ? wanted * 2 : wanted;
   const Camera camera =
       cameraOf(scene, flags.view, static_cast<double>(flags.width) / flags.height);
-  const QImage image = picture(scene, camera, {.unit = QString::fromStdString(flags.unit)}, size);
-  const QByteArray bytes = pngOf(image);
+  const QImage image = picture(
+      scene, camera, {.unit = QString::fromStdString(flags.unit), .isBare = flags.isBare}, size);
+  const QByteArray bytes =
+      pngOf(size == wanted ? image
+                           : image.scaled(wanted, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
   terminal.check();
   writeAndReport(
       flags.output,
@@ -102,10 +151,11 @@ void drawPicture(const PictureFlags& flags) {
 } // namespace
 
 void addPicture(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("picture", "Draw a scan, a structure, or both, as the editor would");
+  CLI::App* command = app.add_subcommand(
+      "picture", "Draw a scan, a structure, both, or a project, as the editor would");
   const auto flags = std::make_shared<PictureFlags>();
-  command->add_option("FILE", flags->files, "A scan, a structure, or one of each")->required();
+  command->add_option("FILE", flags->files, "A scan, a structure, one of each, or a project")
+      ->required();
   addOutput(*command, flags->output, "PNG picture to write");
   addChoice(*command, "--view", flags->view, "Side to look from",
             {{"front", StandardView::front},
@@ -135,6 +185,7 @@ void addPicture(CLI::App& app) {
         ->capture_default_str();
   command->add_flag("--dark", flags->isDark, "On a dark background");
   command->add_flag("--radii", flags->showRadii, "Draw the skeleton as thick as the plant");
+  command->add_flag("--bare", flags->isBare, "Without scale bar, axes and colors explained");
   addUnit(*command, flags->unit, "Unit of lengths, for the scale bar");
   command->callback([flags] { drawPicture(*flags); });
   command->footer("Example:\n"

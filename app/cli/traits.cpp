@@ -1,3 +1,4 @@
+#include "app/about/version.h"
 #include "app/cli/arguments.h"
 #include "app/cli/commands.h"
 #include "app/cli/evaluate_command.h"
@@ -122,7 +123,7 @@ PlantReportAbout aboutOf(const TraitsFlags& flags) {
   about.plant = reportedFile(flags.file);
   if (!flags.report.scan.empty()) about.scan = reportedFile(flags.report.scan);
   about.date = QDate::currentDate().toString(Qt::ISODate);
-  about.version = QStringLiteral(ESPALIER_VERSION);
+  about.version = QString::fromStdString(programVersion());
   about.unit = QString::fromStdString(flags.unit);
   return about;
 }

@@ -33,6 +33,7 @@
 /// namespace, as the macro asks.
 static void useResources() {
   Q_INIT_RESOURCE(icons);
+  Q_INIT_RESOURCE(license);
   Q_INIT_RESOURCE(manual);
   Q_INIT_RESOURCE(style);
 }

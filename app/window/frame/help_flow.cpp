@@ -1,15 +1,37 @@
 #include "app/window/frame/help_flow.h"
 
+#include "app/about/libraries.h"
+#include "app/about/version.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/frame/icon.h"
+#include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/key_bindings.h"
 #include "ui/dialogs/manual_window.h"
 #include "ui/dialogs/shortcut_sheet.h"
+#include "ui/document/shown_text.h"
 
-#include <QCoreApplication>
-#include <QMessageBox>
+#include <QFile>
 
 namespace espalier {
+namespace {
+
+AboutDialog::About about() {
+  QFile license(":/LICENSE");
+  const bool isThere = license.open(QIODevice::ReadOnly);
+  Q_ASSERT(isThere);
+  AboutDialog::About all = {.icon = programIcon(),
+                            .version = QString::fromStdString(programVersion()),
+                            .libraries = {},
+                            .license = isThere ? QString::fromUtf8(license.readAll()) : QString()};
+  for (const Library& library : libraries())
+    all.libraries.append({QString::fromStdString(library.name),
+                          QString::fromStdString(library.version),
+                          QString::fromStdString(library.license), shownText(library.use)});
+  return all;
+}
+
+} // namespace
 
 HelpFlow::HelpFlow(const Parts& parts) : parts_(parts) {
   addActions();
@@ -39,8 +61,10 @@ void HelpFlow::addActions() {
                .icon = "keyboard",
                .keys = QKeySequence(Qt::Key_Question)},
               [this] { (new ShortcutSheet(*keys_, &parts_.window))->show(); });
-  actions.add({.id = "about", .text = tr("About Espalier"), .help = tr("What this is")},
-              [this] { showAbout(); });
+  actions.add({.id = "about",
+               .text = tr("About Espalier"),
+               .help = tr("Its version and license, and those of all libraries")},
+              [this] { (new AboutDialog(about(), &parts_.window))->show(); });
 }
 
 void HelpFlow::showPalette() {
@@ -48,13 +72,6 @@ void HelpFlow::showPalette() {
   palette->move(
       parts_.window.mapToGlobal(QPoint((parts_.window.width() - palette->width()) / 2, 64)));
   palette->show();
-}
-
-void HelpFlow::showAbout() {
-  QMessageBox::about(&parts_.window, tr("About Espalier"),
-                     tr("<b>Espalier %1</b><br>From a laser scan of a plant to a skeleton an "
-                        "expert would sign.")
-                         .arg(QCoreApplication::applicationVersion()));
 }
 
 } // namespace espalier

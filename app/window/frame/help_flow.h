@@ -26,7 +26,6 @@ public:
 private:
   void addActions();
   void showPalette();
-  void showAbout();
 
   Parts parts_;
   KeyBindings* keys_;

@@ -64,7 +64,9 @@ TEST(Help, SaysWhatMustBeGivenAndWhatOptionsAreByDefault) {
 }
 
 TEST(Help, SaysTheVersion) {
-  EXPECT_THAT(runProgram({"--version"}).out, testing::MatchesRegex("espalier [0-9.]+\n"));
+  EXPECT_THAT(runProgram({"--version"}).out,
+              testing::MatchesRegex(
+                  "espalier [0-9]+.[0-9]+.[0-9]+([~+][0-9]+.[0-9]+.g[0-9a-f]+)?(.changed)?\n"));
 }
 
 } // namespace

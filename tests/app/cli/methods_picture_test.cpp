@@ -1,3 +1,5 @@
+#include "core/io/formats.h"
+#include "core/project/project.h"
 #include "tests/app/cli/subcommands.h"
 
 #include <gtest/gtest.h>
@@ -70,6 +72,44 @@ TEST_F(Subcommands, PictureShowsTheLayersThatAreAsked) {
   EXPECT_EQ(picture("both.png", {"--layers", "points,skeleton"}), all);
   EXPECT_NE(picture("side.png", {"--view", "side"}), all);
   EXPECT_EQ(picture("right.png", {"--view", "right"}), picture("side.png", {"--view", "side"}));
+}
+
+/// A project of the sample, with points that are set aside.
+void makeProject(const std::string& path, const std::string& scan, const std::string& structure) {
+  History history;
+  history.skeleton = readStructure(structure).value.skeleton;
+  history.leftOut = PointSet::firstOf(5000);
+  Project project = Project::create(path, history);
+  project.setScan(ScanReference::of(std::filesystem::absolute(scan), {}));
+}
+
+TEST_F(Subcommands, PictureShowsThePlantOfAProject) {
+  makeProject(file("oak.espalier"), scan_, truth_);
+  const auto picture = [&](const std::string& name, const test::Arguments& files) {
+    test::Arguments arguments = {"picture", "--width", "160", "--height", "120", "-o", file(name)};
+    arguments.insert(arguments.end(), files.begin(), files.end());
+    run(arguments);
+    return test::bytesOf(file(name));
+  };
+  const std::string drawn = picture("project.png", {file("oak.espalier")});
+  EXPECT_EQ(picture("again.png", {file("oak.espalier")}), drawn);
+  EXPECT_NE(picture("all.png", {scan_, truth_}), drawn) << "points that are set aside are drawn";
+  EXPECT_NE(picture("wood.png", {file("oak.espalier"), "--layers", "skeleton"}), drawn);
+  EXPECT_NE(picture("bare.png", {file("oak.espalier"), "--bare"}), drawn);
+  EXPECT_THAT(runProgram({"picture", file("oak.espalier"), truth_, "-o", file("b.png")}).err,
+              HasSubstr("a project is drawn by itself: give it alone"));
+}
+
+TEST_F(Subcommands, PictureOfAProjectWithoutItsScanShowsTheWood) {
+  const std::string scan = file("scan.ply");
+  std::filesystem::copy_file(scan_, scan);
+  makeProject(file("oak.espalier"), scan, truth_);
+  std::filesystem::remove(scan);
+  const auto outcome = runProgram({"picture", file("oak.espalier"), "-o", file("a.png")});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("its scan is not found: its points are not drawn"));
+  run({"picture", truth_, "-o", file("b.png")});
+  EXPECT_EQ(test::bytesOf(file("a.png")), test::bytesOf(file("b.png")));
 }
 
 } // namespace

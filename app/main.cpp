@@ -1,9 +1,12 @@
 #include "app/about/version.h"
 #include "app/cli/command_line.h"
+#include "app/log/crash_handler.h"
+#include "app/log/run_log.h"
 #include "app/window/main_window.h"
 
 #include <QApplication>
 #include <QDir>
+#include <QFile>
 #include <QSettings>
 
 #include <cstdlib>
@@ -41,17 +44,27 @@ int runEditor(int argc, char** argv) {
   QApplication::setOrganizationName("Espalier");
   QApplication::setApplicationVersion(QString::fromStdString(espalier::programVersion()));
   QGuiApplication::setDesktopFileName("org.espalier.Espalier"); // whose icon Wayland shows
+  const QString logs = espalier::RunLog::usualFolder();
+  const espalier::RunLog log(logs);
+  espalier::reportCrashes(log.descriptor());
   QSettings settings;
   espalier::MainWindow window(settings);
+  QObject::connect(&window, &espalier::MainWindow::workedOn, [](const QString& project) {
+    espalier::setWorkedOn(QFile::encodeName(project).toStdString());
+  });
   window.show();
   const QStringList files = QApplication::arguments().mid(1);
-  if (!files.isEmpty()) window.open(files);
+  if (!files.isEmpty())
+    window.open(files);
+  else if (const auto crash = espalier::takeCrash(logs))
+    window.showCrash(crash->project, crash->log);
   return QApplication::exec();
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
+  espalier::reportCrashes(-1);
   if (espalier::isForCommandLine(argc, argv)) return espalier::runCommandLine(argc, argv);
   if (!hasDisplay()) {
     std::cerr

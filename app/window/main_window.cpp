@@ -7,6 +7,7 @@
 #include "app/window/frame/key_hints.h"
 #include "app/window/frame/panel_dock.h"
 #include "app/window/frame/view_sync.h"
+#include "app/window/frame/window_log.h"
 #include "core/mtg/mtg_of_skeleton.h"
 #include "ui/panels/message_banner.h"
 #include "ui/panels/start_page.h"
@@ -73,6 +74,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   connectJobs();
   connectMessages();
   connectParts();
+  connectLog();
   restoreGeometry(settings_.value("window/geometry").toByteArray());
   restoreState(settings_.value("window/state").toByteArray());
   refreshEmptiness();
@@ -192,6 +194,35 @@ void MainWindow::connectMessages() {
   connect(recent_.get(), &RecentFiles::changed, this,
           [this] { start_->setRecentFiles(recent_->paths()); });
   start_->setRecentFiles(recent_->paths());
+}
+
+void MainWindow::connectLog() {
+  for (const QAction* action : actions_->all())
+    connect(action, &QAction::triggered, this,
+            [id = action->objectName()] { qCInfo(windowLog).noquote() << "command" << id; });
+  connect(&jobs_, &JobSlot::started, this,
+          [this] { qCInfo(windowLog).noquote() << "job" << jobs_.name(); });
+  connect(&jobs_, &JobSlot::finished, this, [] { qCInfo(windowLog) << "job ended"; });
+  connect(banner_, &MessageBanner::shown, this,
+          [](const QString& text) { qCInfo(windowLog).noquote() << "shown" << text; });
+  connect(this, &MainWindow::openRequested, this, [](const QStringList& paths) {
+    qCInfo(windowLog).noquote() << "open" << paths.join(QStringLiteral(", "));
+  });
+  connect(this, &MainWindow::workedOn, this,
+          [](const QString& project) { qCInfo(windowLog).noquote() << "project" << project; });
+}
+
+void MainWindow::showCrash(const QString& project, const QString& log) {
+  const bool isThere = !project.isEmpty() && QFileInfo::exists(project);
+  Notice notice = {
+      .text = tr("Espalier crashed when it was last used. What happened is in %1").arg(log),
+      .isError = true};
+  if (isThere) {
+    notice.text +=
+        tr("; what was done until then is saved in %1").arg(QFileInfo(project).fileName());
+    notice.actions.push_back({tr("Go On With It"), [this, project] { open({project}); }});
+  }
+  showNotice(notice);
 }
 
 void MainWindow::showNotice(const Notice& notice) {

@@ -39,6 +39,9 @@ public:
 
   /// Opens files as if they had been dropped here.
   void open(const QStringList& paths);
+  /// Reports that a run before crashed.
+  /// @param project  what was worked on, which can be opened; empty: nothing
+  void showCrash(const QString& project, const QString& log);
 
   [[nodiscard]] PlantDocument& document() { return document_; }
   [[nodiscard]] JobSlot& jobs() { return jobs_; }
@@ -51,6 +54,7 @@ public:
 signals:
   void openRequested(const QStringList& paths);
   void dropped(const QStringList& paths);
+  void workedOn(const QString& project); // the file that edits go to now; empty: none yet
 
 protected:
   void closeEvent(QCloseEvent* event) override;
@@ -86,6 +90,7 @@ private:
   void connectParts();
   void connectJobs();
   void connectMessages();
+  void connectLog();
   void showNotice(const Notice& notice);
   void refreshDocks();
   void refreshTitle();

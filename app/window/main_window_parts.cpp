@@ -295,6 +295,7 @@ void MainWindow::joinFiles() {
     guarded([&] { parts_.get<RegistrationFlow>().begin(path); });
   });
   connect(&files, &FileFlow::movedOntoScan, view_, &PlantView::frameAll);
+  connect(&projects, &ProjectFlow::workedOn, this, &MainWindow::workedOn);
   connect(&projects, &ProjectFlow::chosen, this, [this](const QString& path) { open({path}); });
   connect(&projects, &ProjectFlow::sessionsChanged, start_, [this, &projects] {
     QStringList texts;

@@ -101,8 +101,10 @@ std::vector<Finding> duplicatedEdges(const Skeleton& skeleton, const std::vector
     // Where thousands lie on each other, most lie on one that others did.
     const auto known = std::ranges::find_if(lainOn, isSame);
     std::size_t first = known != lainOn.end() ? *known : i; // that it lies on
-    if (first == i)
-      tree.within(middles[i], share * lengths[i], [&](std::size_t k) {
+    // Those that lie nearest come first: where a million leave one node, too many lie near.
+    for (double reach = share * lengths[i] / 64; first == i && reach <= share * lengths[i];
+         reach *= 4)
+      tree.within(middles[i], reach, [&](std::size_t k) {
         if (k < first && isSame(k)) first = k;
       });
     if (first == i) continue;

@@ -145,7 +145,8 @@ TEST(Architecture, RoomsOfUiMeetOnlyInTheWindow) {
   }
 }
 
-// {about, plot, report} <- {cli, window}, which know nothing of each other.
+// {about, plot, report} <- {cli, window}, which know nothing of each other, nor of the log, which
+// knows about alone.
 TEST(Architecture, RoomsOfAppShareAboutPlotAndReportAlone) {
   for (const Include& include : allIncludes()) {
     if (!include.file.starts_with("app/") || !include.target.starts_with("app/")) continue;

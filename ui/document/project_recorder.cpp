@@ -46,6 +46,7 @@ void ProjectRecorder::start(std::unique_ptr<Project> project) {
   hasNewContracted_ = false;
   for (const auto& [name, textOf] : texts_) // what could not be read stays until it is changed
     savedTexts_[name] = project_->document(name).empty() ? std::string() : textOf();
+  emit projectChanged();
 }
 
 void ProjectRecorder::writeRest() {
@@ -79,7 +80,9 @@ std::unique_ptr<Project> ProjectRecorder::stop() {
   piece_.stop();
   pause_.stop();
   isBehind_ = false;
-  return std::move(project_);
+  std::unique_ptr<Project> project = std::move(project_);
+  if (project) emit projectChanged();
+  return project;
 }
 
 void ProjectRecorder::flush() {

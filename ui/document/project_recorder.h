@@ -57,6 +57,7 @@ public:
 signals:
   void failed(const QString& message);
   void behindChanged();
+  void projectChanged(); // another, or none
 
 private:
   void follow();

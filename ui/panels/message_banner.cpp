@@ -98,6 +98,7 @@ void MessageBanner::showText(const QString& kind, const QString& text, const Act
   place();
   show();
   raise();
+  emit shown(text);
 }
 
 bool MessageBanner::eventFilter(QObject* watched, QEvent* event) {

@@ -43,6 +43,9 @@ public:
   [[nodiscard]] bool isError() const;
   [[nodiscard]] bool leavesByItself() const { return leaves_.isActive(); }
 
+signals:
+  void shown(const QString& text);
+
 private:
   bool eventFilter(QObject* watched, QEvent* event) override; // of the parent: it is resized
   void showText(const QString& kind, const QString& text, const Actions& actions);

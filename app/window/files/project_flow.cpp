@@ -37,6 +37,9 @@ ProjectFlow::ProjectFlow(const Parts& parts)
   parts_.document.setAuthor(author());
   connect(&parts_.jobs, &JobSlot::finished, this, &ProjectFlow::finishKeeping);
   connect(&recorder_, &ProjectRecorder::failed, this, &ProjectFlow::reportFailure);
+  connect(&recorder_, &ProjectRecorder::projectChanged, this, [this] {
+    emit workedOn(recorder_.project() == nullptr ? QString() : pathOf(*recorder_.project()));
+  });
   connect(&recorder_, &ProjectRecorder::behindChanged, this, [this] {
     if (isNamed())
       parts_.document.setSaving(recorder_.isBehind() ? PlantDocument::Saving::failing

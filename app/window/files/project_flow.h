@@ -110,7 +110,8 @@ signals:
   void scanFound(); // of the project that is open
   void scanGrown();
   void sessionsChanged();
-  void chosen(const QString& path); // a session to go on with
+  void chosen(const QString& path);      // a session to go on with
+  void workedOn(const QString& project); // the file that edits go to now; empty: none yet
 
 private:
   enum class As : std::uint8_t { itself, copy, readOnly };

@@ -110,6 +110,23 @@ TEST(Check, FindsTheSecondOfTwoEdgesInOnePlace) {
   EXPECT_THAT(ofKind(Kind::duplicatedEdge, plant, 0, {.duplicateShare = 0.01}), IsEmpty());
 }
 
+// As no plant has, but a file may: it took minutes, and grew by the square of the branches.
+TEST(Check, EndsSoonWhereAHundredThousandBranchesLeaveOneNode) {
+  Skeleton plant;
+  const NodeId root = plant.add({});
+  constexpr int count = 100'000;
+  for (int i = 0; i < count; ++i) { // all around, in a spiral
+    const double height = 1 - (2 * i + 1.0) / count;
+    const double width = std::sqrt(1 - height * height);
+    const double angle = 2.399963 * i;
+    plant.add({.position = {width * std::cos(angle), width * std::sin(angle), height},
+               .parent = root,
+               .edge = EdgeType::branching});
+  }
+  const std::vector<Finding> found = ofKind(Kind::duplicatedEdge, plant);
+  EXPECT_GT(found.size(), 99'000U); // as near as they are, almost all lie on another
+}
+
 // From straight up it turns by the angle given.
 Skeleton bent(double angle) {
   Skeleton plant = test::stick(3);

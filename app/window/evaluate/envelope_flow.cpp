@@ -173,6 +173,10 @@ bool EnvelopeFlow::isOfSkeleton() const {
   return choice_.isOfSkeleton || parts_.document.scan() == nullptr;
 }
 
+bool EnvelopeFlow::isOfChosenKind() const {
+  return fitted_ && fittedKind_ == choice_.kind;
+}
+
 bool EnvelopeFlow::isByHand() const {
   return choice_.kind != nullptr && !places_.empty();
 }
@@ -210,6 +214,7 @@ void EnvelopeFlow::takeNew() {
   isFresh_ = false;
   panel_->setStale(true);
   refreshPanel(); // another kind has fields of its own
+  if (drawn_ && !isOfChosenKind()) parts_.view.setEnvelope(shown()); // and handles
   timer_.start();
 }
 
@@ -261,11 +266,12 @@ void EnvelopeFlow::fit() {
   job_.start(
       tr("Crown envelope"),
       [asked = std::move(asked)](const Progress& progress) { return asked.run(progress); },
-      [this](Envelope fitted) { take(std::move(fitted)); });
+      [this, kind = choice_.kind](Envelope fitted) { take(std::move(fitted), *kind); });
 }
 
-void EnvelopeFlow::take(Envelope fitted) {
+void EnvelopeFlow::take(Envelope fitted, const EnvelopeKind& kind) {
   fitted_ = std::move(fitted);
+  fittedKind_ = &kind;
   isFresh_ = true;
   show();
 }
@@ -285,7 +291,7 @@ void EnvelopeFlow::forget(const QString& words) {
 }
 
 void EnvelopeFlow::show() {
-  if (!fitted_) return;
+  if (!isOfChosenKind()) return; // the one that is chosen is still to be fitted
   drawn_ = isByHand() ? draggedEnvelope(*fitted_, parts_.document.up(), *choice_.kind, places_)
                       : *fitted_;
   parts_.view.setEnvelope(shown());
@@ -297,7 +303,7 @@ void EnvelopeFlow::show() {
 ShownEnvelope EnvelopeFlow::shown() const {
   ShownEnvelope result{.mesh = std::make_shared<const SurfaceMesh>(drawn_->mesh),
                        .label = formatVolume(drawn_->volume, parts_.document.unit())};
-  if (!dock_->isShown()) return result;
+  if (!dock_->isShown() || !isOfChosenKind()) return result;
   const UpAxis up = parts_.document.up();
   for (const EnvelopeHandle& handle : envelopeHandles(*drawn_, up, *choice_.kind))
     result.handles.push_back({.label = tr(handle.label.c_str()),
@@ -337,6 +343,7 @@ std::vector<EnvelopePanel::Number> EnvelopeFlow::numbers() const {
 }
 
 void EnvelopeFlow::drag(std::size_t handle, const Eigen::Vector3d& to) {
+  if (!isOfChosenKind()) return; // another was chosen meanwhile
   const UpAxis up = parts_.document.up();
   const std::vector<EnvelopeHandle> handles = envelopeHandles(*drawn_, up, *choice_.kind);
   const std::string& name = handles[handle].name;
@@ -351,6 +358,7 @@ void EnvelopeFlow::endDrag(bool isKept) {
     showText(parts_.document.envelope());
   } else {
     record(tr("Crown envelope: drag %1").arg(dragged_));
+    if (!drawn_) return;
     emit noted(
         tr("The envelope holds %1 now").arg(formatVolume(drawn_->volume, parts_.document.unit())));
   }

@@ -55,7 +55,7 @@ private:
   void takeStep();
   void record(const QString& step, Gesture gesture = {});
   void fit();
-  void take(Envelope fitted);
+  void take(Envelope fitted, const EnvelopeKind& kind);
   void forget(const QString& words = {});
   void show();
   void drag(std::size_t handle, const Eigen::Vector3d& to);
@@ -63,6 +63,7 @@ private:
   void chooseFile();
   void refreshPanel();
   [[nodiscard]] bool isOfSkeleton() const;
+  [[nodiscard]] bool isOfChosenKind() const; // what is drawn; another waits to be fitted
   [[nodiscard]] bool isByHand() const;
   [[nodiscard]] QString handleText() const;
   [[nodiscard]] QString choiceText(const EnvelopeChoice& before) const;
@@ -82,8 +83,9 @@ private:
   QString dragged_;     // the handle that was last
   Gesture choosing_;    // until what was chosen is drawn
   std::optional<Envelope> fitted_;
-  std::optional<Envelope> drawn_; // the same with handles where they were dragged to
-  bool isFresh_ = false;          // of the plant and choice as they are
+  const EnvelopeKind* fittedKind_ = nullptr; // of fitted_
+  std::optional<Envelope> drawn_;            // the same with handles where they were dragged to
+  bool isFresh_ = false;                     // of the plant and choice as they are
 };
 
 } // namespace espalier

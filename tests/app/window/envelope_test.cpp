@@ -211,6 +211,20 @@ TEST_F(EnvelopeTest, OfEachSolidIsSetByItsHandles) {
   EXPECT_GE(dragged, 12);
 }
 
+// It was read with the handles of the kind that was to come.
+TEST_F(EnvelopeTest, OfAnotherKindIsSeenWithoutHandlesUntilItIsFitted) {
+  openScan();
+  choose("ball");
+  ASSERT_TRUE(waitFor(volumeOf(fitted("ball"))));
+  choose("asymmetric");                    // is fitted a moment later
+  action("show_crown_envelope").trigger(); // hides the panel and shows it again
+  action("show_crown_envelope").trigger();
+  emit view().envelopeDragged(0, {0, 0, 1}); // a drag of the kind before goes on
+  emit view().envelopeReleased();
+  ASSERT_TRUE(waitFor(volumeOf(fitted("asymmetric"))));
+  EXPECT_EQ(document().undoStack().count(), 2) << "the drag was of what is there no more";
+}
+
 TEST_F(EnvelopeTest, MovesWithItsCenter) {
   openScan();
   showFitted("ball");

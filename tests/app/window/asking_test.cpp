@@ -32,7 +32,10 @@ protected:
 
   bool isAsked() { return action("answer_1").isEnabled(); }
   QString question() { return find<QLabel>("doubts_question").text(); }
-  int doubts() { return find<QLabel>("doubts_title").text().split(' ').front().toInt(); }
+  int doubts() { // as the panel says, once it follows
+    QTest::qWait(30);
+    return find<QLabel>("doubts_title").text().split(' ').front().toInt();
+  }
   QString firstAnswer() { return find<QToolButton>("answer_1_button").text(); }
 
   std::size_t reviewed() {

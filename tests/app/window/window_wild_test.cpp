@@ -1,5 +1,5 @@
-// Events at random: whatever is pressed, clicked, dragged and typed, the window goes on, and the
-// project on the disk is the plant in the window. ESPALIER_EVENTS=100000 runs it for long,
+// Events at random: whatever is pressed, clicked, dragged and typed, the window goes on, and undo
+// and redo lead to the same plant. ESPALIER_EVENTS=100000 runs it for long,
 // ESPALIER_SEED=7 with other events, ESPALIER_TRACE=FILE lists them as they come.
 #include "app/window/frame/action_set.h"
 #include "core/project/project.h"
@@ -238,7 +238,7 @@ void WildEventsTest::act() {
       other->close();
 }
 
-TEST_F(WildEventsTest, NeverEndTheWindowNorPartItFromItsProject) {
+TEST_F(WildEventsTest, NeverEndTheWindowNorBreakItsHistory) {
   writeScan("scan.ply");
   writeFork("fork.mtg");
   QFile cut(path("cut.mtg"));

@@ -53,7 +53,8 @@ DoubtsPanel::DoubtsPanel(const PlantDocument& document, const Actions& actions, 
   asked->setSpacing(4);
   asked->addWidget(question_);
   for (QAction* answer : actions.answers) {
-    auto* button = new QToolButton; // its text is the answer's
+    auto* button = new QToolButton; // its text is the answer's, once something is asked
+    button->setText(answer->text());
     button->setObjectName(answer->objectName() + "_button");
     button->setProperty("role", "panel");
     button->setMinimumWidth(40);

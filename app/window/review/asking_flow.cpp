@@ -4,8 +4,8 @@
 #include "app/window/frame/action_set.h"
 #include "app/window/frame/key_hints.h"
 #include "app/window/frame/panel_dock.h"
+#include "app/window/review/doubt_ghosts.h"
 #include "core/base/error.h"
-#include "core/skeleton/path_edits.h"
 #include "ui/document/doubt_text.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/doubts_panel.h"
@@ -25,22 +25,6 @@ namespace {
 
 constexpr int mostAnswers = 4;
 constexpr std::size_t mostListed = 200; // that a person looks at
-
-/// A line for each unbranched run of nodes.
-std::vector<std::vector<Eigen::Vector3d>> linesOf(const Skeleton& part) {
-  std::vector<std::vector<Eigen::Vector3d>> lines;
-  for (const NodeId id : part.ids()) {
-    const auto parent = part[id].parent;
-    if (!parent || (part[*parent].parent && part.children(*parent).size() == 1)) continue;
-    std::vector<Eigen::Vector3d> line = {part[*parent].position, part[id].position};
-    for (NodeId at = id; part.children(at).size() == 1;) {
-      at = part.children(at).front();
-      line.push_back(part[at].position);
-    }
-    lines.push_back(std::move(line));
-  }
-  return lines;
-}
 
 } // namespace
 
@@ -266,86 +250,20 @@ void AskingFlow::goTo(const Doubt& doubt) {
   emit hintChanged();
 }
 
-/// The line of the wood in doubt, with the edge to what bears it.
-std::vector<Eigen::Vector3d> AskingFlow::woodOf(const Doubt& doubt) const {
-  const Skeleton& skeleton = parts_.document.skeleton();
-  std::vector<Eigen::Vector3d> line;
-  if (doubt.nodes.empty()) return line;
-  if (const auto foot = skeleton[doubt.node].parent) line.push_back(skeleton[*foot].position);
-  for (const NodeId id : doubt.nodes)
-    line.push_back(skeleton[id].position);
-  return line;
-}
-
-ShownGhost AskingFlow::ghostOf(const Doubt& doubt, const Alternative& one) const {
-  const Skeleton& skeleton = parts_.document.skeleton();
-  const auto place = [&](NodeId id) { return skeleton[id].position; };
-  ShownGhost ghost;
-  const bool hasOthers = std::ranges::any_of(
-      doubt.alternatives, [](const Alternative& each) { return each.onto.has_value(); });
-  switch (one.kind) {
-  case Alternative::Kind::asItIs: {
-    ghost.look = ShownGhost::Look::present;
-    std::vector<Eigen::Vector3d> line = woodOf(doubt);
-    if (hasOthers && line.size() > 2) line.resize(2); // where it is attached
-    if (!line.empty()) ghost.lines.push_back(std::move(line));
-    break;
-  }
-  case Alternative::Kind::remove: {
-    ghost.look = ShownGhost::Look::removed;
-    ghost.lines.push_back(woodOf(doubt));
-    break;
-  }
-  case Alternative::Kind::attach:
-    ghost.lines.push_back({place(*one.onto), place(doubt.node)});
-    break;
-  case Alternative::Kind::add:
-    ghost.lines = linesOf(one.branch->part);
-    break;
-  }
-  return ghost;
-}
-
 void AskingFlow::draw() {
-  std::vector<ShownGhost> ghosts;
-  if (isRestShown_) {
-    for (const Doubt& doubt : parts_.doubts.doubts())
-      if (doubt.present != 0 && doubt.alternatives.front().probability >= surelyOtherwise)
-        ghosts.push_back(ghostOf(doubt, doubt.alternatives.front()));
-  } else if (current_ && !isByHand_) {
-    for (std::size_t i = 0; i < current_->alternatives.size(); ++i) {
-      ghosts.push_back(ghostOf(*current_, current_->alternatives[i]));
-      ghosts.back().number = static_cast<int>(i) + 1;
-    }
-  }
-  parts_.view.showGhosts(std::move(ghosts));
+  const Skeleton& skeleton = parts_.document.skeleton();
+  if (isRestShown_)
+    parts_.view.showGhosts(ghostsOfRest(skeleton, parts_.doubts.doubts()));
+  else if (current_ && !isByHand_)
+    parts_.view.showGhosts(ghostsOf(skeleton, *current_));
+  else
+    parts_.view.showGhosts({});
 }
 
 /// To where most of it is seen, and the alternatives apart.
 void AskingFlow::fly() {
   const Skeleton& skeleton = parts_.document.skeleton();
-  Sight sight{.nodes = current_->nodes};
-  if (sight.nodes.empty()) sight.nodes.push_back(current_->node);
-  const bool isAttachment = current_->kind == Doubt::Kind::attachment;
-  constexpr std::size_t meant = 3; // of wood that may grow elsewhere: its foot says from where
-  if (isAttachment && sight.nodes.size() > meant) sight.nodes.resize(meant);
-  Eigen::AlignedBox3d box;
-  for (const Alternative& one : current_->alternatives) {
-    const ShownGhost ghost = ghostOf(*current_, one);
-    std::vector<Eigen::Vector3d> all;
-    for (const std::vector<Eigen::Vector3d>& line : ghost.lines)
-      for (const Eigen::Vector3d& place : line) {
-        all.push_back(place);
-        sight.places.push_back(place);
-        box.extend(place);
-      }
-    const bool isOther = one.kind == Alternative::Kind::attach ||
-                         (one.kind == Alternative::Kind::asItIs && !all.empty());
-    if (isOther) sight.apart.push_back(std::move(all));
-  }
-  for (const NodeId id : sight.nodes)
-    box.extend(skeleton[id].position);
-  sight.margin = std::max(box.diagonal().norm() / 2, 2 * meanEdgeLength(skeleton));
+  const Sight sight = sightOf(skeleton, *current_);
   const Camera camera = parts_.view.cameraToSee(sight);
   const QString note = parts_.reveal(sight.nodes, sight.places, camera);
   parts_.view.flyTo(camera, focusOn(skeleton, sight));

@@ -3,7 +3,6 @@
 #include "app/window/frame/reveal.h"
 #include "app/window/frame/window_part.h"
 #include "app/window/review/doubts_flow.h"
-#include "ui/view/ghost_overlay.h"
 
 #include <QKeySequence>
 #include <QList>
@@ -79,8 +78,6 @@ private:
   void refreshEnabled();
   [[nodiscard]] QString agreementText() const;
   [[nodiscard]] QString noteText() const;
-  [[nodiscard]] std::vector<Eigen::Vector3d> woodOf(const Doubt& doubt) const;
-  [[nodiscard]] ShownGhost ghostOf(const Doubt& doubt, const Alternative& one) const;
   [[nodiscard]] bool isSkipped(const Doubt& doubt) const;
 
   Parts parts_;

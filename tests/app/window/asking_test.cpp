@@ -49,9 +49,9 @@ protected:
 
 TEST_F(AskingTest, TakesAnswersByOneKeyEachAsOneUndoStep) {
   ask();
-  EXPECT_TRUE(find<QLabel>("doubts_agreement").text().contains("of the length is right"));
   const int steps = document().undoStack().index();
   const int before = doubts();
+  EXPECT_TRUE(find<QLabel>("doubts_agreement").text().contains("of the length is right"));
   int answered = 0;
   for (; answered < 6 && isAsked(); ++answered) {
     const QString asked = question() + firstAnswer();
@@ -134,6 +134,39 @@ TEST_F(AskingTest, TakesAnEditOfTheWoodForAnAnswer) {
   ASSERT_FALSE(document().skeleton().contains(node));
   EXPECT_TRUE(
       QTest::qWaitFor([&] { return isAsked() && question() + firstAnswer() != asked; }, 20'000));
+}
+
+TEST_F(AskingTest, TakesNoUndoForAnAnswer) {
+  ask();
+  const int before = doubts();
+  const Skeleton plant = document().skeleton();
+  for (int i = 0; i < 2; ++i) {
+    key(Qt::Key_1);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
+  }
+  while (document().skeleton() != plant) {
+    action("undo").trigger();
+    QTest::qWait(100);
+  }
+  EXPECT_TRUE(QTest::qWaitFor([&] { return doubts() == before; }, 20'000)) << doubts();
+}
+
+TEST_F(AskingTest, GoesOnWhereWhatItAsksIsMarkedReviewed) {
+  ask();
+  while (question().startsWith("Is there a branch"))
+    key(Qt::Key_Space);
+  const QString asked = question() + firstAnswer();
+  action("mark_all_selected").trigger();
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return isAsked() && question() + firstAnswer() != asked; }, 20'000));
+}
+
+TEST_F(AskingTest, EndsWhereThePlantIsReadOnly) {
+  ask();
+  document().setReadOnly("it is signed");
+  EXPECT_FALSE(isAsked());
+  EXPECT_FALSE(action("ask_doubts").isEnabled());
+  EXPECT_FALSE(action("select_downstream").shortcuts().isEmpty());
 }
 
 TEST_F(AskingTest, KeepsWhatWasAnsweredInTheProject) {

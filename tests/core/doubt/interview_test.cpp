@@ -201,7 +201,11 @@ TEST(AnswersFor, AreThoseThatProbablyMakeEnoughRight) {
   EXPECT_EQ(answersFor(1 - 1e-12, tree().plant, ratings, doubts), 3U) << "the third mends it";
   const double now = expectedAgreement(tree().plant, ratings, doubts).share();
   EXPECT_EQ(answersFor(now, tree().plant, ratings, doubts), 0U);
-  ratings.ofEdges[indexOf(tree().plant.ids()[1])] = 0.5; // in no doubt
+  std::set<NodeId> inDoubt;
+  for (const Doubt& doubt : doubts)
+    inDoubt.insert(doubt.nodes.begin(), doubt.nodes.end());
+  for (const NodeId id : tree().plant.ids())
+    if (!inDoubt.contains(id)) ratings.ofEdges[indexOf(id)] = 0.5;
   EXPECT_GT(answersFor(1 - 1e-12, tree().plant, ratings, doubts), doubts.size());
 }
 

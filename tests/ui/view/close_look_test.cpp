@@ -70,6 +70,17 @@ TEST_F(CloseLookTest, LooksAtAShootFromItsSide) {
   EXPECT_GT(sine, std::sin(quarterTurn / 2));
 }
 
+TEST_F(CloseLookTest, PartsTheLinesThatAreToBeSeenApart) {
+  scene.setSkeleton(shoot({0, 0, 1}));
+  Sight sight = ofShoot;
+  for (const double y : {-0.2, 0.2}) // one behind the other, as seen from the front
+    sight.apart.push_back({{0, y, 0}, {0, y, 1}});
+  const Camera alike = cameraToSee(scene, front, ofShoot, screenSize);
+  const Camera camera = cameraToSee(scene, front, sight, screenSize);
+  EXPECT_GT(std::abs(alike.forward().y()), 0.9) << "without them nothing calls for a turn";
+  EXPECT_LT(std::abs(camera.forward().y()), 0.5);
+}
+
 TEST_F(CloseLookTest, GoesAroundWhatStandsBeforeIt) {
   scene.setSkeleton(shoot({0, 0, 1}));
   setWall(-0.5);

@@ -1,0 +1,111 @@
+#include "app/window/review/doubt_ghosts.h"
+
+#include "core/skeleton/path_edits.h"
+
+#include <algorithm>
+
+namespace espalier {
+namespace {
+
+/// A line for each unbranched run of nodes.
+std::vector<std::vector<Eigen::Vector3d>> linesOf(const Skeleton& part) {
+  std::vector<std::vector<Eigen::Vector3d>> lines;
+  for (const NodeId id : part.ids()) {
+    const auto parent = part[id].parent;
+    if (!parent || (part[*parent].parent && part.children(*parent).size() == 1)) continue;
+    std::vector<Eigen::Vector3d> line = {part[*parent].position, part[id].position};
+    for (NodeId at = id; part.children(at).size() == 1;) {
+      at = part.children(at).front();
+      line.push_back(part[at].position);
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+/// The line of the wood in doubt, with the edge to what bears it.
+std::vector<Eigen::Vector3d> woodOf(const Skeleton& skeleton, const Doubt& doubt) {
+  std::vector<Eigen::Vector3d> line;
+  if (doubt.nodes.empty()) return line;
+  if (const auto foot = skeleton[doubt.node].parent) line.push_back(skeleton[*foot].position);
+  for (const NodeId id : doubt.nodes)
+    line.push_back(skeleton[id].position);
+  return line;
+}
+
+/// An alternative as it is drawn, without a number.
+ShownGhost ghostOf(const Skeleton& skeleton, const Doubt& doubt, const Alternative& one) {
+  const auto place = [&](NodeId id) { return skeleton[id].position; };
+  ShownGhost ghost;
+  const bool hasOthers = std::ranges::any_of(
+      doubt.alternatives, [](const Alternative& each) { return each.onto.has_value(); });
+  switch (one.kind) {
+  case Alternative::Kind::asItIs: {
+    ghost.look = ShownGhost::Look::present;
+    std::vector<Eigen::Vector3d> line = woodOf(skeleton, doubt);
+    if (hasOthers && line.size() > 2) line.resize(2); // where it is attached
+    if (!line.empty()) ghost.lines.push_back(std::move(line));
+    break;
+  }
+  case Alternative::Kind::remove: {
+    ghost.look = ShownGhost::Look::removed;
+    ghost.lines.push_back(woodOf(skeleton, doubt));
+    break;
+  }
+  case Alternative::Kind::attach:
+    ghost.lines.push_back({place(*one.onto), place(doubt.node)});
+    break;
+  case Alternative::Kind::add:
+    ghost.lines = linesOf(one.branch->part);
+    break;
+  }
+  return ghost;
+}
+
+} // namespace
+
+std::vector<ShownGhost> ghostsOf(const Skeleton& skeleton, const Doubt& doubt) {
+  std::vector<ShownGhost> ghosts;
+  for (const Alternative& one : doubt.alternatives) {
+    ghosts.push_back(ghostOf(skeleton, doubt, one));
+    ghosts.back().number = static_cast<int>(ghosts.size());
+  }
+  return ghosts;
+}
+
+std::vector<ShownGhost> ghostsOfRest(const Skeleton& skeleton, const std::vector<Doubt>& doubts) {
+  std::vector<ShownGhost> ghosts;
+  for (const Doubt& doubt : doubts)
+    if (doubt.present != 0 && doubt.alternatives.front().probability >= surelyOtherwise)
+      ghosts.push_back(ghostOf(skeleton, doubt, doubt.alternatives.front()));
+  return ghosts;
+}
+
+Sight sightOf(const Skeleton& skeleton, const Doubt& doubt) {
+  Sight sight{.nodes = doubt.nodes};
+  if (sight.nodes.empty()) sight.nodes.push_back(doubt.node);
+  const bool isAttachment = doubt.kind == Doubt::Kind::attachment;
+  constexpr std::size_t meant = 3; // of wood that may grow elsewhere: its foot says from where
+  if (isAttachment && sight.nodes.size() > meant) sight.nodes.resize(meant);
+  Eigen::AlignedBox3d box;
+  for (const Alternative& one : doubt.alternatives) {
+    if (isAttachment && one.kind == Alternative::Kind::remove) continue; // it is all of the wood
+    const ShownGhost ghost = ghostOf(skeleton, doubt, one);
+    std::vector<Eigen::Vector3d> all;
+    for (const std::vector<Eigen::Vector3d>& line : ghost.lines)
+      for (const Eigen::Vector3d& place : line) {
+        all.push_back(place);
+        sight.places.push_back(place);
+        box.extend(place);
+      }
+    const bool isOther = one.kind == Alternative::Kind::attach ||
+                         (one.kind == Alternative::Kind::asItIs && !all.empty());
+    if (isOther) sight.apart.push_back(std::move(all));
+  }
+  for (const NodeId id : sight.nodes)
+    box.extend(skeleton[id].position);
+  sight.margin = std::max(box.diagonal().norm() / 2, 2 * meanEdgeLength(skeleton));
+  return sight;
+}
+
+} // namespace espalier

@@ -1,0 +1,56 @@
+#include "app/window/review/answered_doubts.h"
+#include "core/base/error.h"
+
+#include <gtest/gtest.h>
+
+namespace espalier {
+namespace {
+
+AnsweredDoubt answeredEnd() {
+  return {.kind = Doubt::Kind::end,
+          .node = NodeId(12),
+          .learned = {.kind = Doubt::Kind::end, .said = 0.25, .spacings = 8.5, .wasWrong = true},
+          .step = StepId(9'007'199'254'740'993)}; // more digits than a number of JSON holds
+}
+
+AnsweredDoubt answeredMissing() {
+  return {.kind = Doubt::Kind::missing,
+          .node = NodeId(3),
+          .tip = {1.5, -2, 0.25},
+          .learned = {.kind = Doubt::Kind::missing, .said = 0.75, .spacings = 20}};
+}
+
+TEST(AnsweredDoubts, ComeBackAsTheyWereKept) {
+  const std::vector<AnsweredDoubt> answered = {answeredEnd(), answeredMissing()};
+  EXPECT_EQ(answeredFrom(textOf(answered)), answered);
+  EXPECT_EQ(textOf(std::vector<AnsweredDoubt>()), "");
+  EXPECT_TRUE(answeredFrom("").empty());
+}
+
+TEST(AnsweredDoubts, AreRefusedWhereTheyCannotBeRead) {
+  for (const char* text :
+       {"{}", "[1]", "nonsense",
+        R"([{"kind": "end", "node": 1, "said": 2, "spacings": 1, "step": "0"}])",
+        R"([{"kind": "end", "node": -1, "said": 0.5, "spacings": 1, "step": "0"}])",
+        R"([{"kind": "end", "node": 1, "said": 0.5, "spacings": 1, "step": 5}])",
+        R"([{"kind": "twig", "node": 1, "said": 0.5, "spacings": 1, "step": "0"}])",
+        R"([{"kind": "missing", "node": 1, "said": 0.5, "spacings": 1, "step": "0", "tip": [1]}])"})
+    EXPECT_THROW((void)answeredFrom(text), Error) << text;
+}
+
+TEST(AnsweredDoubts, AreAboutTheSameWoodWhateverWasDoubtedOfIt) {
+  const Doubt attachment{.kind = Doubt::Kind::attachment, .node = NodeId(12)};
+  EXPECT_TRUE(isAbout(answeredEnd(), attachment, 0));
+  EXPECT_FALSE(isAbout(answeredEnd(), {.kind = Doubt::Kind::end, .node = NodeId(13)}, 0));
+  Doubt missing{.kind = Doubt::Kind::missing, .node = NodeId(12)};
+  EXPECT_FALSE(isAbout(answeredEnd(), missing, 1));
+  GrownBranch branch{.on = NodeId(12), .part = {}};
+  const NodeId root = branch.part.add({.position = {0, 0, 0}});
+  branch.part.add({.position = {1.5, -2, 0.2}, .parent = root});
+  missing.alternatives = {{.kind = Alternative::Kind::add, .branch = branch}};
+  EXPECT_TRUE(isAbout(answeredMissing(), missing, 0.1));
+  EXPECT_FALSE(isAbout(answeredMissing(), missing, 0.01));
+}
+
+} // namespace
+} // namespace espalier

@@ -86,7 +86,8 @@ void writeConsensus(const ConsensusFlags& flags) {
               std::to_string(std::lround(100 * consensus.shares[i])) + " % of its length");
   printLine(counted(consensus.places.size(), "place") + " to decide; " +
             counted(consensus.agreed.roots().size(), "tree"));
-  writeAndReport(flags.output, {.skeleton = consensus.agreed}, flags.mtgStyle);
+  const Structure agreed{.skeleton = consensus.agreed};
+  writeAndReport(flags.output, agreed, flags.mtgStyle);
   if (!flags.json.empty()) writeJson(flags.json, numbersOf(flags, consensus, tolerance));
 }
 

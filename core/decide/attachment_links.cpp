@@ -25,12 +25,13 @@ constexpr std::size_t mostLinks = 6;
 /// Finds what wood may be attached to.
 class AttachmentSearch {
 public:
-  AttachmentSearch(const Skeleton& skeleton, const SpatialIndex& points, const Vector3d& origin,
-                   double spacing, const Vector3d& up)
-      : skeleton_(skeleton), points_(points), origin_(origin), spacing_(spacing), up_(up),
-        ids_(skeleton.ids()), carried_(carriedLengths(skeleton)), first_(skeleton.idEnd()),
-        last_(skeleton.idEnd()), run_(skeleton.idEnd()), runLength_(skeleton.idEnd()),
-        places_(3, static_cast<Eigen::Index>(ids_.size())), nodes_(placed()) {
+  AttachmentSearch(const Skeleton& skeleton, const SpatialIndex& points, Vector3d origin,
+                   double spacing, Vector3d up)
+      : skeleton_(skeleton), points_(points), origin_(std::move(origin)), spacing_(spacing),
+        up_(std::move(up)), ids_(skeleton.ids()), carried_(carriedLengths(skeleton)),
+        first_(skeleton.idEnd()), last_(skeleton.idEnd()), run_(skeleton.idEnd()),
+        runLength_(skeleton.idEnd()), places_(3, static_cast<Eigen::Index>(ids_.size())),
+        nodes_(placed()) {
     numberNodes();
     measureRuns();
   }
@@ -198,6 +199,7 @@ private:
     AttachmentChoice choice{id, {{parent, evidenceOf(parent, id, above)}}};
     choice.links.front().evidence.inAir = shareInAir(parent, id);
     std::vector<std::pair<double, AttachmentLink>> others;
+    others.reserve(best.size());
     for (const auto& [run, link] : best)
       others.push_back(link);
     keepCheapest(others, 2 * mostLinks);
@@ -206,6 +208,7 @@ private:
       cost = costOf(link.evidence);
     }
     keepCheapest(others, mostLinks - 1);
+    choice.links.reserve(1 + others.size());
     for (const auto& [cost, link] : others)
       choice.links.push_back(link);
     return choice;

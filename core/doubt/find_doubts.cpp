@@ -20,8 +20,7 @@ constexpr std::size_t mostAlternatives = 4;
 class DoubtSearch {
 public:
   DoubtSearch(const Skeleton& skeleton, const DoubtSources& sources)
-      : skeleton_(skeleton), sources_(sources), cloud_(*sources.distances.cloud()), allLength_(0),
-        allEnds_(0) {
+      : skeleton_(skeleton), sources_(sources), cloud_(*sources.distances.cloud()) {
     for (const NodeId id : skeleton.ids()) {
       allLength_ += edgeLength(skeleton, id);
       if (skeleton.children(id).empty()) ++allEnds_;
@@ -153,8 +152,8 @@ private:
   const Skeleton& skeleton_;
   const DoubtSources& sources_;
   const PointCloud& cloud_;
-  double allLength_; // [L]
-  double allEnds_;
+  double allLength_ = 0; // [L]
+  double allEnds_ = 0;
   std::map<NodeId, Doubt> ofWood_; // by the lowest node
   std::vector<Doubt> missing_;
 };

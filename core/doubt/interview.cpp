@@ -9,10 +9,10 @@
 namespace espalier {
 
 Interview::Interview(std::shared_ptr<const PointCloud> cloud, Skeleton plant, Skeleton reference,
-                     const PlantScale& scale, const Eigen::Vector3d& up, const Options& options,
+                     const PlantScale& scale, Eigen::Vector3d up, const Options& options,
                      const Progress& progress)
     : cloud_(std::move(cloud)), plant_(std::move(plant)), reference_(std::move(reference)),
-      scale_(scale), up_(up), options_(options), oracle_(reference_, options.tolerance),
+      scale_(scale), up_(std::move(up)), options_(options), oracle_(reference_, options.tolerance),
       index_(cloud_->positions(), progress), distances_(cloud_, scale.spacing, plant_, progress) {
   find(progress);
 }

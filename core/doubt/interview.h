@@ -35,7 +35,7 @@ public:
   /// @param up        length 1
   /// @throws Cancelled if `progress` asks to stop; Error as agreementWith()
   Interview(std::shared_ptr<const PointCloud> cloud, Skeleton plant, Skeleton reference,
-            const PlantScale& scale, const Eigen::Vector3d& up, const Options& options,
+            const PlantScale& scale, Eigen::Vector3d up, const Options& options,
             const Progress& progress = {});
 
   Interview(const Interview&) = delete; // the oracle refers to the reference

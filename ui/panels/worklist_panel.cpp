@@ -170,7 +170,7 @@ QString WorklistPanel::nextAfter(const QString& file) const {
   const auto isIt = [&](const ListedPlant* plant) { return plant->file() == file; };
   const auto open = std::ranges::find_if(plants, isIt);
   if (open != plants.end()) {
-    std::ranges::rotate(plants, open + 1);
+    std::rotate(plants.begin(), open + 1, plants.end());
     plants.pop_back(); // itself
   }
   const auto found = std::ranges::find_if(plants, [](const ListedPlant* plant) {

@@ -104,6 +104,7 @@ void paintGhosts(QPainter& painter, const std::vector<ShownGhost>& ghosts, const
                  bool dark) {
   const Palette colors = palette(dark);
   std::vector<std::vector<QPolygonF>> all;
+  all.reserve(ghosts.size());
   for (const ShownGhost& ghost : ghosts)
     all.push_back(seenLines(ghost, screen));
   painter.setBrush(Qt::NoBrush);

@@ -166,7 +166,7 @@ void VersionsFlow::remove(const QString& name) {
   const auto& all = parts_.projects.versions();
   const auto found = std::ranges::find(all, name.toStdString(), &PlantVersion::name);
   if (found == all.end()) return;
-  const PlantVersion version = *found;
+  PlantVersion version = *found;
   parts_.projects.removeVersion(version.name);
   emit reported(
       {.text = tr("The project no longer keeps %1").arg(name),

@@ -85,7 +85,7 @@ std::vector<AnsweredDoubt> answeredFrom(const std::string& text) {
     const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
     if (!document.isArray()) refuse();
     std::vector<AnsweredDoubt> answered;
-    for (const QJsonValue& value : document.array())
+    for (const QJsonValue value : document.array())
       answered.push_back(answeredIn(value.toObject()));
     return answered;
   });

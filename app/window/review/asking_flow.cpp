@@ -12,6 +12,7 @@
 #include "ui/view/plant_view.h"
 
 #include <QAction>
+#include <QMainWindow>
 #include <QScopedValueRollback>
 
 #include <algorithm>
@@ -28,7 +29,7 @@ constexpr std::size_t mostListed = 200; // that a person looks at
 
 } // namespace
 
-AskingFlow::AskingFlow(const Parts& parts) : parts_(parts) {
+AskingFlow::AskingFlow(Parts parts) : parts_(std::move(parts)) {
   addActions();
   makePanel();
   connectParts();

@@ -45,7 +45,7 @@ public:
     QMainWindow& window;
     Reveal reveal;
   };
-  explicit AskingFlow(const Parts& parts);
+  explicit AskingFlow(Parts parts);
 
   void setEnabled(bool isEnabled) override;
   [[nodiscard]] QString hint() const override;

@@ -235,7 +235,7 @@ void DoubtsFlow::takeEdit(const Doubt& doubt, const LearnedAnswer& learned) {
 
 AnsweredDoubt DoubtsFlow::takeBack() {
   if (held_.empty()) throw Error(tr("no answer is left to be taken back").toStdString());
-  const AnsweredDoubt last = held_.back();
+  AnsweredDoubt last = held_.back();
   QUndoStack& stack = parts_.document.undoStack();
   if (last.step != StepId{}) {
     parts_.document.requireEditable();

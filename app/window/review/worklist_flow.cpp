@@ -195,7 +195,7 @@ void WorklistFlow::takeSurvey(SurveyedWorklist found) {
     std::erase_if(known_, [&](const auto& each) { return !found.stamps.contains(each.first); });
     stamps_ = std::move(found.stamps);
     // What is to be done or not is known once all projects are: scans have time.
-    std::ranges::stable_partition(toRead_, [&](const auto& file) {
+    std::stable_partition(toRead_.begin(), toRead_.end(), [&](const auto& file) {
       return std::ranges::binary_search(list_.projects, file);
     });
   }

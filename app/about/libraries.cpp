@@ -1,16 +1,15 @@
 #include "app/about/libraries.h"
 
 #include "core/base/shown.h"
+#include "ui/view/graphics_versions.h"
 
 #include <CLI/Version.hpp>
 #include <Eigen/Core>
-#include <GL/glew.h>
 #include <QtGlobal>
 #include <nanoflann.hpp>
 #include <nlohmann/json.hpp>
 #include <sqlite3.h>
 #include <tbb/version.h>
-#include <vtkVersion.h>
 
 #include <initializer_list>
 #include <liblzf/lzf.h>
@@ -36,17 +35,14 @@ std::string qhullVersion() {
   return text.substr(0, text.find(".r"));
 }
 
-std::string glewVersion() {
-  return reinterpret_cast<const char*>(glewGetString(GLEW_VERSION));
-}
-
 } // namespace
 
 std::vector<Library> libraries() {
   const unsigned hashes = XXH_versionNumber();
+  const GraphicsVersions graphics = graphicsVersions();
   return {{"Qt", qVersion(), "LGPL-3.0-only", Shown::tr("windows, pictures in 2D, reports")},
-          {"VTK", vtkVersion::GetVTKVersion(), "BSD-3-Clause", Shown::tr("pictures in 3D")},
-          {"GLEW", glewVersion(), "BSD-3-Clause AND MIT", Shown::tr("functions of OpenGL")},
+          {"VTK", graphics.vtk, "BSD-3-Clause", Shown::tr("pictures in 3D")},
+          {"GLEW", graphics.glew, "BSD-3-Clause AND MIT", Shown::tr("functions of OpenGL")},
           {"Eigen", dotted({EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION}),
            "MPL-2.0", Shown::tr("vectors and matrices")},
           {"nanoflann",

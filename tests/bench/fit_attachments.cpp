@@ -12,16 +12,13 @@
 #include "core/pipeline/pipeline.h"
 #include "core/skeleton/axes.h"
 #include "core/skeleton/length_along.h"
+#include "tests/bench/fit_main.h"
 #include "tests/bench/fitted_logit.h"
 #include "tests/bench/fitted_quadratic.h"
 #include "tests/bench/simulated_scans.h"
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <iterator>
-#include <string>
 #include <vector>
 
 namespace espalier {
@@ -40,7 +37,7 @@ Eigen::Vector3d upOn(const Skeleton& skeleton, NodeId id, double distance) {
   return skeleton[id].position;
 }
 
-std::vector<Choice> choicesOf(std::uint64_t number) try {
+std::vector<Choice> choicesOf(std::uint64_t number) {
   const ScannedPlant plant = scannedPlant(number);
   const Reconstruction found = Pipeline().run(plant.cloud);
   const Skeleton& skeleton = *found.skeleton;
@@ -69,28 +66,17 @@ std::vector<Choice> choicesOf(std::uint64_t number) try {
   for (Choice& choice : choices)
     choice.weight = 1 / std::sqrt(static_cast<double>(choices.size()));
   return choices;
-} catch (const std::exception& error) {
-  std::fprintf(stderr, "%d: %s\n", static_cast<int>(number), error.what());
-  return {};
 }
 
-std::vector<Choice> choicesOf(std::uint64_t from, std::uint64_t to) {
-  std::vector<Choice> all;
-  for (std::uint64_t number = from; number < to; ++number)
-    std::ranges::move(choicesOf(number), std::back_inserter(all));
-  return all;
-}
-
-int fitAttachments(int plants, int others) {
-  const auto count = static_cast<std::uint64_t>(plants);
-  const std::vector<Choice> choices = choicesOf(1, count + 1);
+int fitAttachments(const FitCounts& counts) {
+  const std::vector<Choice> choices = ofPlants(1, counts.lastFitted(), choicesOf);
   const AttachmentOdds odds = fittedLogit(choices);
   const auto asItWas = [](const Choice&) { return std::size_t{0}; };
   std::printf("%zu choices\n", choices.size());
   printQuadratic(odds);
   printReliability(choices, odds, "present", asItWas);
   std::printf("of others:\n");
-  printReliability(choicesOf(count + 1, count + 1 + static_cast<std::uint64_t>(others)), odds,
+  printReliability(ofPlants(counts.lastFitted() + 1, counts.lastJudged(), choicesOf), odds,
                    "present", asItWas);
   return 0;
 }
@@ -99,11 +85,5 @@ int fitAttachments(int plants, int others) {
 } // namespace espalier
 
 int main(int argc, char** argv) {
-  int plants = 120, others = 60;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::string name = argv[i];
-    int& value = name == "--plants" ? plants : others;
-    value = std::atoi(argv[i + 1]);
-  }
-  return espalier::fitAttachments(plants, others);
+  return espalier::fitAttachments(espalier::fitCounts(argc, argv));
 }

@@ -11,6 +11,7 @@
 #include "core/doubt/reference_places.h"
 #include "core/graph/turn_upright.h"
 #include "core/pipeline/pipeline.h"
+#include "tests/bench/fit_main.h"
 #include "tests/bench/fitted_logit.h"
 #include "tests/bench/fitted_quadratic.h"
 #include "tests/bench/simulated_scans.h"
@@ -19,12 +20,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <iterator>
 #include <limits>
 #include <map>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -56,7 +53,7 @@ std::vector<bool> rightOf(const std::vector<WoodFrom>& links, const ReferencePla
   return isRight;
 }
 
-std::vector<Choice> choicesOf(std::uint64_t number) try {
+std::vector<Choice> choicesOf(std::uint64_t number) {
   const ScannedPlant plant = scannedPlant(number);
   const Reconstruction found = Pipeline().run(plant.cloud, {}, {}, "skeleton");
   const Skeleton& skeleton = *found.skeleton;
@@ -84,16 +81,6 @@ std::vector<Choice> choicesOf(std::uint64_t number) try {
   for (Choice& choice : choices)
     choice.weight = 1 / std::sqrt(static_cast<double>(choices.size()));
   return choices;
-} catch (const std::exception& error) {
-  std::fprintf(stderr, "%d: %s\n", static_cast<int>(number), error.what());
-  return {};
-}
-
-std::vector<Choice> choicesOf(std::uint64_t from, std::uint64_t to) {
-  std::vector<Choice> all;
-  for (std::uint64_t number = from; number < to; ++number)
-    std::ranges::move(choicesOf(number), std::back_inserter(all));
-  return all;
 }
 
 /// The place of the cheapest link.
@@ -103,15 +90,14 @@ std::size_t cheapest(const Choice& choice) {
   return static_cast<std::size_t>(found - choice.links.begin());
 }
 
-int fitGaps(int plants, int others) {
-  const auto count = static_cast<std::uint64_t>(plants);
-  const std::vector<Choice> choices = choicesOf(1, count + 1);
+int fitGaps(const FitCounts& counts) {
+  const std::vector<Choice> choices = ofPlants(1, counts.lastFitted(), choicesOf);
   const GapOdds odds = fittedLogit(choices);
   std::printf("%zu fragments\n", choices.size());
   printQuadratic(odds);
   printReliability(choices, odds, "cheapest", cheapest);
   std::printf("of others:\n");
-  printReliability(choicesOf(count + 1, count + 1 + static_cast<std::uint64_t>(others)), odds,
+  printReliability(ofPlants(counts.lastFitted() + 1, counts.lastJudged(), choicesOf), odds,
                    "cheapest", cheapest);
   return 0;
 }
@@ -120,11 +106,5 @@ int fitGaps(int plants, int others) {
 } // namespace espalier
 
 int main(int argc, char** argv) {
-  int plants = 120, others = 60;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::string name = argv[i];
-    int& value = name == "--plants" ? plants : others;
-    value = std::atoi(argv[i + 1]);
-  }
-  return espalier::fitGaps(plants, others);
+  return espalier::fitGaps(espalier::fitCounts(argc, argv));
 }

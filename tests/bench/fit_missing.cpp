@@ -9,16 +9,13 @@
 #include "core/doubt/missing_branches.h"
 #include "core/doubt/oracle.h"
 #include "core/pipeline/pipeline.h"
+#include "tests/bench/fit_main.h"
 #include "tests/bench/fitted_quadratic.h"
 #include "tests/bench/simulated_scans.h"
 
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <iterator>
-#include <string>
 #include <vector>
 
 namespace espalier {
@@ -26,7 +23,7 @@ namespace {
 
 using Example = LabelledFeatures<11>;
 
-std::vector<Example> examplesOf(std::uint64_t number) try {
+std::vector<Example> examplesOf(std::uint64_t number) {
   const ScannedPlant plant = scannedPlant(number);
   const Reconstruction found = Pipeline().run(plant.cloud);
   const Skeleton& skeleton = *found.skeleton;
@@ -44,16 +41,6 @@ std::vector<Example> examplesOf(std::uint64_t number) try {
   for (Example& example : examples)
     example.weight = 1 / std::sqrt(static_cast<double>(examples.size()));
   return examples;
-} catch (const std::exception& error) {
-  std::fprintf(stderr, "%d: %s\n", static_cast<int>(number), error.what());
-  return {};
-}
-
-std::vector<Example> examplesOf(std::uint64_t from, std::uint64_t to) {
-  std::vector<Example> all;
-  for (std::uint64_t number = from; number < to; ++number)
-    std::ranges::move(examplesOf(number), std::back_inserter(all));
-  return all;
 }
 
 /// A reliability diagram as a table, and the expected calibration error.
@@ -80,15 +67,14 @@ void printReliability(const std::vector<Example>& examples, const MissingOdds& o
   std::printf("expected calibration error %.3f\n", error);
 }
 
-int fitMissing(int plants, int others) {
-  const auto count = static_cast<std::uint64_t>(plants);
-  const std::vector<Example> examples = examplesOf(1, count + 1);
+int fitMissing(const FitCounts& counts) {
+  const std::vector<Example> examples = ofPlants(1, counts.lastFitted(), examplesOf);
   const MissingOdds odds = fittedQuadratic(examples);
   std::printf("%zu branches\n", examples.size());
   printQuadratic(odds);
   printReliability(examples, odds);
   std::printf("of others:\n");
-  printReliability(examplesOf(count + 1, count + 1 + static_cast<std::uint64_t>(others)), odds);
+  printReliability(ofPlants(counts.lastFitted() + 1, counts.lastJudged(), examplesOf), odds);
   return 0;
 }
 
@@ -96,11 +82,5 @@ int fitMissing(int plants, int others) {
 } // namespace espalier
 
 int main(int argc, char** argv) {
-  int plants = 120, others = 60;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::string name = argv[i];
-    int& value = name == "--plants" ? plants : others;
-    value = std::atoi(argv[i + 1]);
-  }
-  return espalier::fitMissing(plants, others);
+  return espalier::fitMissing(espalier::fitCounts(argc, argv));
 }

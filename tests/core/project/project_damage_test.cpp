@@ -243,5 +243,19 @@ TEST(DamagedProject, IsNeverWrittenByIdsThatRunOut) {
   EXPECT_EQ(project.history().value.steps.size(), 10U);
 }
 
+TEST(Project, ThatIsMissingIsAnError) {
+  EXPECT_THAT(
+      test::errorOf([] {
+        return Project::open(test::freshFolder() / "none.espalier", Access::readWrite).path();
+      }),
+      HasSubstr("there is no such file: check its name"));
+}
+
+TEST(Project, ThatIsAFolderIsAnError) {
+  EXPECT_THAT(
+      test::errorOf([] { return Project::open(test::freshFolder(), Access::readOnly).path(); }),
+      HasSubstr("is a folder, choose a file in it"));
+}
+
 } // namespace
 } // namespace espalier

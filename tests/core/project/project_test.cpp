@@ -399,16 +399,6 @@ TEST(Project, IsMarkedAsOneForOtherPrograms) {
   EXPECT_FALSE(isProject(file.string() + ".none"));
 }
 
-TEST(Project, WrittenByANewerProgramIsRefusedAndLeftAlone) {
-  const fs::path file = test::freshFolder() / "oak.espalier";
-  (void)Project::create(file, {});
-  Database(file, Opening::readWrite).execute("PRAGMA user_version = 99");
-  const std::string error =
-      test::errorOf([&] { return Project::open(file, Access::readWrite).path(); });
-  EXPECT_THAT(error, HasSubstr("newer Espalier"));
-  EXPECT_EQ(Database(file, Opening::frozen).integer("PRAGMA user_version"), 99);
-}
-
 TEST(Project, OfReadOnlyAccessIsNotWritten) {
   const fs::path file = test::freshFolder() / "oak.espalier";
   (void)Project::create(file, withEdits(5));
@@ -495,20 +485,6 @@ TEST(Project, ThatCannotBeMadeLeavesNothingBehind) {
   }
   EXPECT_TRUE(fs::is_empty(folder));
   EXPECT_THROW((void)Project::create(folder / "none" / "oak.espalier", history), Error);
-}
-
-TEST(Project, ThatIsMissingIsAnError) {
-  EXPECT_THAT(
-      test::errorOf([] {
-        return Project::open(test::freshFolder() / "none.espalier", Access::readWrite).path();
-      }),
-      HasSubstr("there is no such file: check its name"));
-}
-
-TEST(Project, ThatIsAFolderIsAnError) {
-  EXPECT_THAT(
-      test::errorOf([] { return Project::open(test::freshFolder(), Access::readOnly).path(); }),
-      HasSubstr("is a folder, choose a file in it"));
 }
 
 } // namespace

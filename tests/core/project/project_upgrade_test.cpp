@@ -262,5 +262,15 @@ TEST(ProjectUpgrade, SavesThePlantOfADamagedProject) {
   }
 }
 
+TEST(Project, WrittenByANewerProgramIsRefusedAndLeftAlone) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  (void)Project::create(file, {});
+  Database(file, Opening::readWrite).execute("PRAGMA user_version = 99");
+  const std::string error =
+      test::errorOf([&] { return Project::open(file, Access::readWrite).path(); });
+  EXPECT_THAT(error, HasSubstr("newer Espalier"));
+  EXPECT_EQ(Database(file, Opening::frozen).integer("PRAGMA user_version"), 99);
+}
+
 } // namespace
 } // namespace espalier

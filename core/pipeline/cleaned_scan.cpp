@@ -86,7 +86,8 @@ Eigen::Vector3d lowestAt(const Eigen::Vector3d& base, const StandingPoints& plan
 CleanedScan cleanedScan(const std::shared_ptr<const PointCloud>& cloud,
                         const PipelineOptions& options, const Progress& progress) {
   CleanedScan result{.state = startOf(cloud, options, progress.part(0, 0.1))};
-  result.steps = runAll(cleaningSteps(options), result.state, options, progress.part(0.1, 1));
+  result.steps =
+      runAll(cleaningSteps(withoutTrials(options)), result.state, options, progress.part(0.1, 1));
   requirePlant(keptPoints(result.state));
   result.leftOut = PointSet::of(whereSet(keptWithRepeated(result.state, options.leftOut), false));
   return result;
@@ -98,7 +99,7 @@ CutPlot cutPlot(const std::shared_ptr<const PointCloud>& cloud,
   const Step& cut = plantStep();
   PipelineState state = startOf(cloud, options, progress.part(0, 0.1));
   CutPlot result;
-  std::vector<const Step*> before = cleaningSteps(options);
+  std::vector<const Step*> before = cleaningSteps(withoutTrials(options));
   std::vector<const Step*> behind = before;
   std::erase_if(before, [&](const Step* step) { return step >= &cut; });
   std::erase_if(behind, [&](const Step* step) { return step <= &cut; });

@@ -11,7 +11,7 @@ std::vector<CleaningMethod> cleaningMethods() {
   for (const Step& step : pipelineSteps())
     if (step.makes == StepResult::cleaned)
       for (const Method& method : step.methods)
-        if (!isNoMethod(method)) all.push_back({&step, &method});
+        if (!isNoMethod(method) && !method.triesPlant) all.push_back({&step, &method});
   return all;
 }
 

@@ -13,7 +13,8 @@ struct CleaningMethod {
   const Method* method = nullptr;
 };
 
-/// All that leave out something, in the order of the steps.
+/// All that leave out something, in the order of the steps, but those that try the plant
+/// (Method::triesPlant).
 [[nodiscard]] std::vector<CleaningMethod> cleaningMethods();
 
 /// The points that a method would leave out, among those not yet set aside; with each those

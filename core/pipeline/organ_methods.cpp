@@ -197,7 +197,7 @@ std::vector<std::optional<Organ>> organsOfScan(const std::shared_ptr<const Point
   std::vector<const Step*> before;
   for (const Step& step : pipelineSteps()) {
     if (step.name == "leaves") break;
-    if (!isOff(step, options)) before.push_back(&step);
+    if (!isOff(step, withoutTrials(options))) before.push_back(&step);
   }
   PipelineState state = firstState(cloud, options);
   state.extent.scale = scaleOf(*cloud, options.leftOut, options.up, progress.part(0, 0.1));

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/pipeline/method_parts.h"
 #include "core/pipeline/typed_value.h"
 
 #include <cmath>
@@ -151,7 +152,17 @@ const Method& chosenMethod(const Step& step, const PipelineOptions& options) {
 }
 
 bool isOff(const Step& step, const PipelineOptions& options) {
-  return step.isOptional && &chosenMethod(step, options) == &step.methods.front();
+  return step.isOptional && isNoMethod(chosenMethod(step, options));
+}
+
+PipelineOptions withoutTrials(const PipelineOptions& options) {
+  PipelineOptions result = options;
+  for (const Step& step : pipelineSteps()) {
+    if (!chosenMethod(step, options).triesPlant) continue;
+    result.methods[step.name] = "none";
+    result.settings.erase(step.name);
+  }
+  return result;
 }
 
 ChosenMethod chosenFor(const Step& step, const PipelineOptions& options, const PlantScale& scale) {

@@ -48,6 +48,10 @@ void requireKnown(const PipelineOptions& options);
 /// Whether a step is optional, and does nothing.
 [[nodiscard]] bool isOff(const Step& step, const PipelineOptions& options);
 
+/// The same with the methods off that reconstruct the plant to find out what to leave out: for
+/// those who clean a scan, or look at parts of it.
+[[nodiscard]] PipelineOptions withoutTrials(const PipelineOptions& options);
+
 /// The method of a step with its values.
 struct ChosenMethod {
   const Method* method = nullptr;

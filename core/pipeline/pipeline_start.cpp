@@ -50,7 +50,8 @@ PipelineState cleanedState(const std::shared_ptr<const PointCloud>& cloud,
 }
 
 PipelineOptions withScanCleaned(const std::shared_ptr<const PointCloud>& cloud,
-                                const PipelineOptions& options, const Progress& progress) {
+                                const PipelineOptions& wanted, const Progress& progress) {
+  const PipelineOptions options = withoutTrials(wanted);
   std::vector<const Step*> changing;
   for (const Step& step : pipelineSteps())
     if (chosenMethod(step, options).changesScale) changing.push_back(&step);

@@ -11,11 +11,12 @@ namespace {
 /// 6 scans of structures, T is 0.78 and 0.83 with it, 0.73 and 0.78 with contractions by the same
 /// numbers in mm. Densities count by rank there: most points of a scan lie thin, and by range
 /// nearly all would get the least radius; T 0.78 and 0.85. Its cones of 90 degrees left only one,
-/// straight ahead, so they are of 80. It had no step that prunes, joins, recenters, slides or
-/// extends, and drew thick wood to its axis by contraction alone.
+/// straight ahead, so they are of 80. It had no step that thins, prunes, joins, recenters, slides
+/// or extends, and drew thick wood to its axis by contraction alone.
 PipelineOptions thesis() {
   PipelineOptions options;
-  for (const char* setting : {"contract.method=adaptive_geodesic",
+  for (const char* setting : {"thin.method=none",
+                              "contract.method=adaptive_geodesic",
                               "contract.neighbors=7",
                               "contract.density_radius=12.5 spacings",
                               "contract.least_radius=12.5 spacings",

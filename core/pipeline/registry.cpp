@@ -11,9 +11,9 @@ namespace espalier {
 
 namespace {
 
-/// One that is off by default. What lies around the plants goes first, the largest first, so that
-/// what comes behind has less to look at and plants stand apart; then one plant is chosen of what
-/// is left, thinned, and what stands alone in it goes last.
+/// One that can be off, as all but Thin are by default. What lies around the plants goes first, the
+/// largest first, so that what comes behind has less to look at and plants stand apart; then one
+/// plant is chosen of what is left, thinned, and what stands alone in it goes last.
 Step cleaningStep(const char* name, const char* label, const char* help,
                   std::vector<Method> methods) {
   return {.name = name,

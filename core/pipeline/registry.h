@@ -80,6 +80,9 @@ struct Method {
   /// True: what it leaves out is no stray of the plant, so that the rules of steps behind it follow
   /// from what is left.
   bool changesScale = false;
+  /// True: reconstructs the plant to find out what to leave out. Only those who go on to a skeleton
+  /// of the whole plant run it: see withoutTrials().
+  bool triesPlant = false;
   bool cutsPlot = false; // true: it finds all plants, and keeps one (cleaned_scan.h)
   /// `values`: one per option, in order.
   std::function<void(PipelineState&, const std::vector<double>& values, const Progress&)> run;
@@ -94,7 +97,7 @@ struct Step {
   std::string help;
   StepResult takes = StepResult::skeleton; // what must be there
   StepResult makes = StepResult::skeleton; // what it makes, or makes anew
-  bool isOptional = false;                 // off by default: where it is, nobody runs or reports it
+  bool isOptional = false;                 // may be off: where it is, nobody runs or reports it
   double share = 1;                        // of the time of a run, for its progress
   std::vector<Method> methods;             // the first is the default
 };

@@ -163,11 +163,12 @@ TEST(Cleaning, RunsOnlyWhatIsOn) {
     return names;
   };
   const auto fork = test::cloudAtOrigin(test::forkCloud());
-  EXPECT_THAT(namesOf(Pipeline().run(fork, {}, {}, "contract")), ElementsAre("clean", "contract"));
-  PipelineOptions options;
-  options.set("thin.method=random");
-  EXPECT_THAT(namesOf(Pipeline().run(fork, options, {}, "contract")),
+  EXPECT_THAT(namesOf(Pipeline().run(fork, {}, {}, "contract")),
               ElementsAre("thin", "clean", "contract"));
+  PipelineOptions options;
+  options.set("crop.method=distance");
+  EXPECT_THAT(namesOf(Pipeline().run(fork, options, {}, "contract")),
+              ElementsAre("crop", "thin", "clean", "contract"));
   EXPECT_THAT(namesOf(Pipeline().run(fork, {}, {}, "crop")), ElementsAre("crop"));
 }
 

@@ -30,6 +30,7 @@ struct SmoothingInThePipeline : testing::Test {
   SmoothingInThePipeline() {
     options.set("smooth.method=spheres");
     options.set("smooth.radius=0.4");
+    options.set("thin.method=none");
   }
   void smoothNothing() {
     options.methods["smooth"] = "none";

@@ -20,7 +20,7 @@ using testing::IsEmpty;
 Names from(const std::string& first) {
   Names names;
   for (const Step& step : pipelineSteps())
-    if (!step.isOptional && (!names.empty() || step.name == first)) names.push_back(step.name);
+    if (!isOff(step, {}) && (!names.empty() || step.name == first)) names.push_back(step.name);
   return names;
 }
 
@@ -44,9 +44,9 @@ struct StepsRun : testing::Test {
 };
 
 TEST_F(StepsRun, AreAllForANewCloud) {
-  EXPECT_EQ(newSteps(Pipeline().run(cloud)), from("clean"));
+  EXPECT_EQ(newSteps(Pipeline().run(cloud)), from("thin"));
   cloud = test::cloudOf(test::forkCloud(2), {0, 0, 0});
-  EXPECT_EQ(run(), from("clean"));
+  EXPECT_EQ(run(), from("thin"));
 }
 
 TEST_F(StepsRun, AreNoneWithoutAChange) {
@@ -94,13 +94,19 @@ TEST_F(StepsRun, AreNoneForTheRootThatWasFound) {
 
 TEST_F(StepsRun, AreAllAfterPointsAreSetAside) {
   options.leftOut = PointSet::firstOf(10);
-  EXPECT_EQ(run(), from("clean"));
+  EXPECT_EQ(run(), from("thin"));
 }
 
-// The height of the plant changes, which no default of these methods follows from but the root.
+// The height of the plant changes, also of what thinning leaves; no default of these methods
+// follows from it but that and the root.
 TEST_F(StepsRun, AreThoseThatSeeTheRootOrTheHeightWithAnotherUpAxis) {
   options.up = UpAxis::x;
+  EXPECT_EQ(run(), from("thin"));
+  options.set("thin.method=none");
+  (void)run();
+  options.up = UpAxis::z;
   EXPECT_EQ(run(), from("skeleton"));
+  options.up = UpAxis::x;
   options.methods["contract"] = "adaptive_sections";
   EXPECT_EQ(run(), from("contract"));
   options.up = UpAxis::z;
@@ -118,7 +124,7 @@ TEST_F(StepsRun, AreNoneOnGoingBackToOneOfFourChoices) {
   EXPECT_THAT(newSteps(again), IsEmpty());
   EXPECT_EQ(*again.skeleton, first);
   options.leftOut = PointSet::firstOf(10);
-  EXPECT_EQ(run(), from("clean"));
+  EXPECT_EQ(run(), from("thin"));
   options = {};
   EXPECT_THAT(run(), IsEmpty()) << "points brought back";
 }
@@ -162,7 +168,7 @@ TEST_F(StepsRun, OfARunThatFailedAreKeptAsFarAsItCame) {
                         .ended = [&](const Step& step) { ended.push_back(step.name); }};
   EXPECT_THROW((void)pipeline.run(cloud, options, {}, {}, watch), Error)
       << "most points are out of reach";
-  EXPECT_THAT(ended, ElementsAre("clean", "contract"));
+  EXPECT_THAT(ended, ElementsAre("thin", "clean", "contract"));
   options.set("skeleton.widest_gap=0");
   EXPECT_EQ(run(), from("skeleton"));
 }

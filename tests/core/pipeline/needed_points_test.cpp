@@ -1,0 +1,87 @@
+// The method "as_needed" of the step Thin.
+#include "core/pipeline/needed_points.h"
+#include "core/pipeline/pipeline.h"
+#include "core/pipeline/pipeline_start.h"
+#include "core/simulate/plant_grower.h"
+#include "tests/support/cloud_of.h"
+#include "tests/support/clouds.h"
+#include "tests/support/leafy_plants.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gmock/gmock.h>
+#include <memory>
+
+namespace espalier {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::size_t tipsOf(const Skeleton& skeleton) {
+  const std::vector<NodeId> ids = skeleton.ids();
+  return static_cast<std::size_t>(
+      std::ranges::count_if(ids, [&](NodeId id) { return skeleton.children(id).empty(); }));
+}
+
+/// A stem with a few leaves much wider than its points are apart, of a seed that nothing was fitted
+/// on; made once.
+const std::shared_ptr<const PointCloud>& denseGrass() {
+  static const auto cloud = [] {
+    Foliage foliage{
+        .blades = {.spacing = 0.2, .length = 0.5, .width = 0.06, .angle = 0.6, .reach = 10}};
+    foliage.droop = 1;
+    const Skeleton plant = growPlant(
+        {.architecture = Architecture::herb, .height = 4, .segments = 1, .baseRadius = 0.05},
+        90'021);
+    return std::make_shared<const PointCloud>(test::labeledScanOf(plant, foliage, 100'000).cloud);
+  }();
+  return cloud;
+}
+
+PipelineOptions withoutThinning() {
+  PipelineOptions options;
+  options.set("thin.method=none");
+  return options;
+}
+
+TEST(NeededPoints, FindWideLeavesAsOneAxisEach) {
+  const Reconstruction all = Pipeline().run(denseGrass(), withoutThinning());
+  const Reconstruction some = Pipeline().run(denseGrass());
+  ASSERT_EQ(some.steps.front().step, "thin");
+  EXPECT_GT(some.steps.front().leftOut, denseGrass()->size() / 2);
+  EXPECT_THAT(some.steps.front().notes.at(0), HasSubstr("points are used"));
+  EXPECT_GT(tipsOf(*all.skeleton), 15U);
+  EXPECT_LE(tipsOf(*some.skeleton), 9U);
+  EXPECT_GE(tipsOf(*some.skeleton), 4U);
+}
+
+TEST(NeededPoints, AreAllWhereTheWoodIsThin) {
+  const auto fork = test::cloudAtOrigin(test::forkCloud());
+  const Reconstruction result = Pipeline().run(fork);
+  EXPECT_EQ(result.steps.front().leftOut, 0);
+  EXPECT_THAT(result.steps.front().notes, IsEmpty());
+  EXPECT_EQ(*result.skeleton, *Pipeline().run(fork, withoutThinning()).skeleton);
+}
+
+TEST(NeededPoints, AreTheSameWhereverThePlantStands) {
+  RawPoints moved;
+  for (Eigen::Index i = 0; i < denseGrass()->size(); ++i)
+    moved.positions.push_back(denseGrass()->position(i) + Eigen::Vector3d(64, -32, 8));
+  const auto elsewhere = std::make_shared<const PointCloud>(std::move(moved));
+  const auto countOf = [](const std::shared_ptr<const PointCloud>& cloud) {
+    return static_cast<double>(Pipeline().run(cloud, {}, {}, "thin").apart->size());
+  };
+  EXPECT_NEAR(countOf(elsewhere) / countOf(denseGrass()), 1, 0.01);
+}
+
+TEST(NeededPoints, AreNotAskedForByPartsOfAScan) {
+  const PipelineOptions ofPart = withScanCleaned(denseGrass(), {}, {});
+  EXPECT_TRUE(ofPart.leftOut.isEmpty());
+  EXPECT_EQ(ofPart.methods.at("thin"), "none");
+}
+
+} // namespace
+} // namespace espalier

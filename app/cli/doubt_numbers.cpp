@@ -1,28 +1,12 @@
 #include "app/cli/doubt_numbers.h"
 
-#include "core/cloud/point_set.h"
+#include "core/doubt/doubts_of.h"
 #include "core/doubt/expected_agreement.h"
-#include "core/doubt/find_doubts.h"
-#include "core/graph/turn_upright.h"
 
 #include <nlohmann/json.hpp>
 
 namespace espalier {
 namespace {
-
-const char* nameOf(Alternative::Kind kind) {
-  switch (kind) {
-  case Alternative::Kind::asItIs:
-    return "as_it_is";
-  case Alternative::Kind::remove:
-    return "remove";
-  case Alternative::Kind::attach:
-    return "attach";
-  case Alternative::Kind::add:
-    return "add";
-  }
-  return "";
-}
 
 nlohmann::ordered_json toJson(const Doubt& doubt, const Skeleton& skeleton) {
   auto alternatives = nlohmann::ordered_json::array();
@@ -48,16 +32,7 @@ nlohmann::ordered_json doubtNumbers(const std::shared_ptr<const PointCloud>& clo
                                     const Progress& progress) {
   const Skeleton& skeleton = *result.skeleton;
   if (skeleton.size() < 2 || !(result.scale.spacing > 0)) return nullptr;
-  const auto points =
-      result.apart ? std::make_shared<const PointCloud>(without(*cloud, *result.apart)) : cloud;
-  const SpatialIndex index(points->positions(), progress);
-  const PointDistances distances(points, result.scale.spacing, skeleton, progress.part(0, 0.2));
-  const Eigen::Vector3d upward = turnUpright(up).row(2).transpose();
-  const std::vector<Doubt> doubts = findDoubts(
-      skeleton, {.distances = distances, .index = index, .scale = result.scale, .up = upward},
-      progress.part(0.2, 0.6));
-  const ErrorRatings ratings =
-      errorRatings(skeleton, distances, index, result.scale, upward, progress.part(0.6, 1));
+  const auto [doubts, ratings] = doubtsOf(cloud, result, up, progress);
   nlohmann::ordered_json answers = nlohmann::ordered_json::object();
   for (const char* goal : {"0.9", "0.95", "0.98"}) {
     const std::size_t needed = answersFor(std::stod(goal), skeleton, ratings, doubts);

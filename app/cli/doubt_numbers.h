@@ -15,7 +15,7 @@ namespace espalier {
 /// .95 and .98, null where all would not; count; and doubts, what puts most right first, each with
 /// kind, node, place, length, gain, present, and alternatives[].{kind,probability,onto}.
 /// @throws Cancelled if `progress` asks to stop
-/// Time: of findDoubts() and errorRatings(): a fifth of that of the reconstruction.
+/// Time: of doubtsOf().
 [[nodiscard]] nlohmann::ordered_json doubtNumbers(const std::shared_ptr<const PointCloud>& cloud,
                                                   const Reconstruction& result, UpAxis up,
                                                   const Progress& progress = {});

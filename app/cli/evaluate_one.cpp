@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/evaluate/comparison.h"
 #include "core/evaluate/comparison_json.h"
+#include "core/evaluate/comparison_options.h"
 #include "core/evaluate/match/edit_table.h"
 #include "core/evaluate/traits_json.h"
 

@@ -1,5 +1,6 @@
 #include "app/cli/arguments.h"
 #include "app/cli/commands.h"
+#include "core/pipeline/option_text.h"
 #include "core/pipeline/registry.h"
 
 #include <CLI/CLI.hpp>
@@ -7,7 +8,6 @@
 
 #include <iostream>
 #include <memory>
-#include <sstream>
 #include <string>
 
 namespace espalier {
@@ -19,19 +19,6 @@ struct MethodsFlags {
   std::string name; // of a step or method; empty: all
   bool isJson = false;
 };
-
-std::string plainNumber(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
-std::string rangeText(const Option& option) {
-  if (option.takesWords()) return option.words();
-  const std::string text = plainNumber(option.minimum) + " to " + plainNumber(option.maximum);
-  if (option.kind == OptionKind::length) return text + " point spacings";
-  return option.kind == OptionKind::angle ? text + " degrees" : text;
-}
 
 bool isWanted(const MethodsFlags& flags, const Step& step, const Method& method) {
   return flags.name.empty() || flags.name == step.name || flags.name == method.name;
@@ -46,9 +33,7 @@ void printText(const MethodsFlags& flags) {
                 << method.help << '\n';
       if (!method.source.empty()) std::cout << "  Source: " << method.source << '\n';
       for (const Option& option : method.options)
-        std::cout << "    " << step.name << '.' << option.name << "  " << nameOf(option.kind)
-                  << ", default " << option.ruleText()
-                  << (option.takesWords() ? ", one of " : ", range ") << rangeText(option)
+        std::cout << "    " << step.name << '.' << option.name << "  " << summaryOf(option)
                   << "\n        " << option.help << '\n';
       std::cout << '\n';
     }

@@ -2,40 +2,12 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/files.h"
-#include "core/base/open_for_reading.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"
-#include "core/pipeline/preset.h"
 #include "core/pipeline/presets.h"
 #include "core/pipeline/typed_value.h"
 
-#include <filesystem>
-#include <sstream>
-
 namespace espalier {
-namespace {
-
-/// "default, thesis, ..., ".
-std::string presetNames() {
-  std::string names;
-  for (const NamedPreset& each : presets())
-    names += each.name + ", ";
-  return names;
-}
-
-/// A preset by its name, or else a file.
-PipelineOptions presetIn(const std::string& path, double meters) {
-  if (const NamedPreset* known = presetNamed(path)) return known->options;
-  std::error_code isMissing;
-  if (!std::filesystem::exists(path, isMissing))
-    throw Error(path + ": there is no such preset or file: name " + presetNames() +
-                "or a JSON file");
-  std::istringstream in(readText(path));
-  return readPreset(in, path, meters);
-}
-
-} // namespace
-
 struct Threads::Limit {
   std::optional<ThreadLimit> tbb;
 };
@@ -79,7 +51,7 @@ void PipelineFlags::addOptionsTo(CLI::App& command) {
   command
       .add_option("--preset", preset,
                   presetNames() +
-                      "or a JSON file of steps and options; --method and --set change it, "
+                      ", or a JSON file of steps and options; --method and --set change it, "
                       "wherever they stand")
       ->type_name("PRESET");
   addChoice(command, "--up", up, "Axis that points up",

@@ -1,6 +1,7 @@
 #include "app/report/report_data.h"
 
 #include "core/base/error.h"
+#include "core/evaluate/comparison_options.h"
 #include "core/evaluate/evaluation.h"
 
 #include <algorithm>
@@ -9,10 +10,6 @@
 
 namespace espalier {
 namespace {
-
-double orDefault(double tolerance, const Skeleton& reference) {
-  return tolerance > 0 ? tolerance : usualTolerance(reference);
-}
 
 ToleranceScore scoreAt(const ToleranceCurve& curve, double tolerance) {
   const auto found = std::ranges::find(curve.scores, tolerance, &ToleranceScore::distance);
@@ -53,17 +50,6 @@ void ignore(ReportData& data, const std::vector<DifferingPart>& ignored) {
       data.ignored.push_back(i);
 }
 
-ComparisonOptions withTolerance(ComparisonOptions options, const Skeleton& reference,
-                                double tolerance) {
-  std::vector<double>& distances = options.tolerance.distances;
-  if (distances.empty()) distances = defaultTolerances(reference);
-  const double wanted = orDefault(tolerance, reference);
-  const auto place = std::ranges::lower_bound(distances, wanted);
-  if (place == distances.end() || *place != wanted) distances.insert(place, wanted);
-  options.placeDistance = wanted;
-  return options;
-}
-
 ReportData reportData(Comparison comparison, const Skeleton& result, const Skeleton& reference,
                       std::shared_ptr<const PointCloud> scan, double tolerance,
                       const Progress& progress) {
@@ -73,7 +59,7 @@ ReportData reportData(Comparison comparison, const Skeleton& result, const Skele
   data.result = registration ? moved(result, registration->motion) : result;
   data.reference = reference;
   data.scan = std::move(scan);
-  data.tolerance = orDefault(tolerance, reference);
+  data.tolerance = toleranceOr(tolerance, reference);
   data.score = scoreAt(data.comparison.tolerance, data.tolerance);
   data.differences = data.comparison.differences.tolerance == data.tolerance
                          ? std::move(data.comparison.differences)

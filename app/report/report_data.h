@@ -38,11 +38,6 @@ struct ReportData {
 /// @param ignored by their kinds and places, in the frame in which the result lay
 void ignore(ReportData& data, const std::vector<DifferingPart>& ignored);
 
-/// The options of a comparison at some tolerance: the usual distances, and this one.
-/// @param tolerance [L]; 0 = usualTolerance()
-[[nodiscard]] ComparisonOptions withTolerance(ComparisonOptions options, const Skeleton& reference,
-                                              double tolerance);
-
 /// Measures what a report shows beyond a comparison.
 ///
 /// @param comparison of these two; its distances hold `tolerance`

@@ -41,6 +41,20 @@ std::string nameOf(Doubt::Kind kind) {
   return {};
 }
 
+std::string nameOf(Alternative::Kind kind) {
+  switch (kind) {
+  case Alternative::Kind::asItIs:
+    return "as_it_is";
+  case Alternative::Kind::remove:
+    return "remove";
+  case Alternative::Kind::attach:
+    return "attach";
+  case Alternative::Kind::add:
+    return "add";
+  }
+  return {};
+}
+
 bool isSame(const Doubt& a, const Doubt& b, double near) {
   const Alternative* branchOfA = addedIn(a);
   const Alternative* branchOfB = addedIn(b);

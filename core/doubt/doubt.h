@@ -48,6 +48,8 @@ inline constexpr int doubtKinds = 3;
 
 /// "end", "attachment", "missing"
 [[nodiscard]] std::string nameOf(Doubt::Kind kind);
+/// "as_it_is", "remove", "attach", "add"
+[[nodiscard]] std::string nameOf(Alternative::Kind kind);
 
 /// Are two doubts, before and after some edit, one to a person? Those about the same wood, and
 /// about branches that would begin and end at the same places within `near` [L].

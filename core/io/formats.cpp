@@ -12,12 +12,11 @@
 #include "core/io/structures/graphml.h"
 #include "core/io/structures/opf.h"
 #include "core/io/structures/rsml.h"
-#include "core/mtg/mtg_edits.h"
 #include "core/mtg/mtg_reader.h"
 #include "core/mtg/mtg_rows.h"
 #include "core/mtg/mtg_skeleton.h"
-#include "core/mtg/mtg_text_edit.h"
 #include "core/mtg/mtg_writer.h"
+#include "core/mtg/structure_text.h"
 
 #include <algorithm>
 #include <fstream>
@@ -214,10 +213,8 @@ ImportedCloud readPoints(const std::filesystem::path& path, const ReadOptions& o
   if (finite == 0)
     throw Error(nameOf(path) + ": holds " + counted(kept, "point") +
                 ", none of them finite: export it again");
-  if (finite < kept)
-    result.notes.push_back(nameOf(path) + ": " + std::to_string(kept - finite) + " of " +
-                           std::to_string(kept) +
-                           " points are not finite, or beyond any plant, and are left out");
+  if (std::string note = leftOutNote(result.value, kept, nameOf(path)); !note.empty())
+    result.notes.push_back(std::move(note));
   if (result.isPart(options)) result.notes.push_back(partNote(result, options, nameOf(path)));
   for (std::string& note : scanNotes(result.value, nameOf(path)))
     result.notes.push_back(std::move(note));
@@ -242,15 +239,9 @@ Imported<Structure> readAnyStructure(const std::filesystem::path& path) {
   }
   Imported<Mtg> mtg = format.readMtg(in, name);
   std::string text = textOf(in, format);
-  auto frame = std::make_shared<const MtgFrame>(
-      text.empty() ? frameOf(mtg, name) : MtgFrame{std::move(mtg.value), std::move(text)});
-  if (!hasPositions(frame->mtg, name)) {
-    mtg.notes.push_back(name + ": has no positions: it is a plant without its shape");
-    return {{{}, std::move(frame)}, std::move(mtg.notes)};
-  }
-  Imported<Skeleton> skeleton = skeletonOf(frame->mtg, name);
-  mtg.notes.insert(mtg.notes.end(), skeleton.notes.begin(), skeleton.notes.end());
-  return {{std::move(skeleton.value), std::move(frame)}, std::move(mtg.notes)};
+  MtgFrame frame =
+      text.empty() ? frameOf(mtg, name) : MtgFrame{std::move(mtg.value), std::move(text)};
+  return structureOf(std::move(frame), std::move(mtg.notes), name);
 }
 
 void writePoints(const std::filesystem::path& path, const PointCloud& cloud,
@@ -280,19 +271,8 @@ void writeStructure(const std::filesystem::path& path, const Structure& structur
     return writeAtomically(path,
                            [&](std::ostream& out) { format.writeMtg(out, structure.frame->mtg); });
   if (format.recognizes != isMtg) return writeStructure(path, structure.skeleton);
-  if (!structure.frame || (structure.skeleton.isEmpty() && !isShapeless)) {
-    const Mtg mtg = mtgOf(structure.skeleton, style);
-    writeAtomically(path, [&](std::ostream& out) { writeMtg(out, mtg); });
-    return;
-  }
-  const Mtg edited = withEdits(structure.frame->mtg, structure.skeleton);
-  const std::string& text = structure.frame->text;
-  writeAtomically(path, [&](std::ostream& out) {
-    if (text.empty())
-      writeMtg(out, edited);
-    else
-      out << mtgTextWith(text, edited);
-  });
+  const std::string text = mtgTextOf(structure, style);
+  writeAtomically(path, [&](std::ostream& out) { out << text; });
 }
 
 } // namespace espalier

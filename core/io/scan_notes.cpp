@@ -43,4 +43,11 @@ std::vector<std::string> scanNotes(const PointCloud& cloud, const std::string& n
   return notes;
 }
 
+std::string leftOutNote(const PointCloud& cloud, std::size_t listed, const std::string& name) {
+  const auto kept = static_cast<std::size_t>(cloud.size());
+  if (kept == listed) return {};
+  return name + ": " + std::to_string(listed - kept) + " of " + std::to_string(listed) +
+         " points are not finite, or beyond any plant, and are left out";
+}
+
 } // namespace espalier

@@ -11,4 +11,9 @@ namespace espalier {
 /// @param name  of its file, which each note begins with
 [[nodiscard]] std::vector<std::string> scanNotes(const PointCloud& cloud, const std::string& name);
 
+/// How many of the points that were listed are no part of the cloud, and why. Empty: all are.
+/// @param name  likewise
+[[nodiscard]] std::string leftOutNote(const PointCloud& cloud, std::size_t listed,
+                                      const std::string& name);
+
 } // namespace espalier

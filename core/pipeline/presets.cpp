@@ -1,6 +1,12 @@
 #include "core/pipeline/presets.h"
 
+#include "core/base/error.h"
+#include "core/base/open_for_reading.h"
+#include "core/pipeline/preset.h"
+
 #include <algorithm>
+#include <filesystem>
+#include <sstream>
 
 namespace espalier {
 namespace {
@@ -113,6 +119,23 @@ const std::vector<NamedPreset>& presets() {
 const NamedPreset* presetNamed(std::string_view name) {
   const auto found = std::ranges::find(presets(), name, &NamedPreset::name);
   return found == presets().end() ? nullptr : &*found;
+}
+
+std::string presetNames() {
+  std::string names;
+  for (const NamedPreset& each : presets())
+    names += (names.empty() ? "" : ", ") + each.name;
+  return names;
+}
+
+PipelineOptions presetIn(const std::string& nameOrFile, double meters) {
+  if (const NamedPreset* known = presetNamed(nameOrFile)) return known->options;
+  std::error_code isMissing;
+  if (!std::filesystem::exists(nameOrFile, isMissing))
+    throw Error(nameOrFile + ": there is no such preset or file: name " + presetNames() +
+                ", or a JSON file");
+  std::istringstream in(readText(nameOrFile));
+  return readPreset(in, nameOrFile, meters);
 }
 
 } // namespace espalier

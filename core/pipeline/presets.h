@@ -26,4 +26,11 @@ struct NamedPreset {
 /// Null if there is none of this name.
 [[nodiscard]] const NamedPreset* presetNamed(std::string_view name);
 
+[[nodiscard]] std::string presetNames(); // "default, thesis, ..., in_leaf"
+
+/// The options of a preset, by its name or else of a file (preset.h).
+/// @param meters  in the unit of the scan, for lengths as "38 mm" in a file; 0: not known
+/// @throws Error naming what there is, or what is wrong in the file
+[[nodiscard]] PipelineOptions presetIn(const std::string& nameOrFile, double meters = 0);
+
 } // namespace espalier

@@ -7,6 +7,7 @@
 #include "app/window/files/reported_plant.h"
 #include "app/window/frame/action_set.h"
 #include "core/base/error.h"
+#include "core/evaluate/comparison_options.h"
 #include "core/io/atomic_file.h"
 #include "ui/document/hand_work_text.h"
 #include "ui/document/plant_document.h"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/report/comparison_report.h"
+#include "core/evaluate/comparison_options.h"
 #include "tests/support/plants.h"
 
 #include <QRegularExpression>

@@ -22,7 +22,7 @@ struct Include {
 const std::vector<Include>& allIncludes() {
   static const std::vector<Include> includes = [] {
     std::vector<Include> found;
-    for (const char* top : {"core", "ui", "app"})
+    for (const char* top : {"core", "ui", "app", "python"})
       for (const auto& entry :
            std::filesystem::recursive_directory_iterator(test::sourceFolder() / top)) {
         const std::string extension = entry.path().extension().string();
@@ -127,6 +127,16 @@ TEST(Architecture, CoreKnowsNoQtAndNoVtk) {
     }
 }
 
+TEST(Architecture, PythonKnowsCoreAloneAndNobodyKnowsPython) {
+  for (const Include& include : allIncludes()) {
+    const bool isOfPython = include.file.starts_with("python/");
+    const bool isOfWindow = include.target.starts_with("Q") || include.target.starts_with("vtk") ||
+                            include.target.starts_with("ui/") || include.target.starts_with("app/");
+    EXPECT_FALSE(isOfPython ? isOfWindow : include.target.starts_with("python/"))
+        << include.file << " includes " << include.target;
+  }
+}
+
 TEST(Architecture, UiKnowsNoApp) {
   for (const Include& include : allIncludes())
     if (include.file.starts_with("ui/")) {
@@ -172,6 +182,7 @@ TEST(Architecture, LibrariesAreNamedInTheirRoomsOnly) {
       {"CLI/", {"app/cli/"}},
       {"libqhull", {"core/base/qhull."}},
       {"xxhash", {"core/project/"}},
+      {"pybind11", {"python/"}},
       {"liblzf/", {"core/io/points/lzf."}}};
   for (const Include& include : allIncludes())
     for (const auto& [library, places] : rules) {

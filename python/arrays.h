@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <utility>
+#include <vector>
+
+namespace espalier::python {
+
+namespace py = pybind11;
+
+/// An array that can only be read, of memory that `owner` keeps: nothing is copied.
+[[nodiscard]] py::array viewOf(const py::dtype& type, std::vector<py::ssize_t> shape,
+                               const void* data, std::shared_ptr<const void> owner);
+
+template <class T>
+[[nodiscard]] py::array viewOf(std::vector<py::ssize_t> shape, const T* data,
+                               std::shared_ptr<const void> owner) {
+  return viewOf(py::dtype::of<T>(), std::move(shape), data, std::move(owner));
+}
+
+/// An array that can only be read, which takes the values.
+template <class T>
+[[nodiscard]] py::array arrayOf(std::vector<T> values, std::vector<py::ssize_t> shape) {
+  const auto kept = std::make_shared<const std::vector<T>>(std::move(values));
+  return viewOf(std::move(shape), kept->data(), kept);
+}
+
+/// Checks that what was given for `name` has a row of so many columns for each of `rows`, or is a
+/// list of so many if `columns` is 1; -1: any number of rows.
+/// @throws Error that names the shape to give
+void requireShape(const py::array& array, const char* name, py::ssize_t rows, py::ssize_t columns);
+
+/// `object` as an array of these values, which is itself if it is one.
+/// @throws Error if it holds others
+template <class T>
+[[nodiscard]] py::array_t<T> numbersIn(const py::object& object, const char* name);
+
+} // namespace espalier::python

@@ -21,7 +21,8 @@ namespace espalier::python {
 py::object valueOf(const Option& option, double value) {
   if (option.kind == OptionKind::flag) return py::bool_(value != 0);
   if (option.kind == OptionKind::choice) return py::str(option.wordFor(value));
-  if (option.kind == OptionKind::count) return py::int_(std::llround(value));
+  const bool isWhole = value == std::round(value); // if not, it is refused by the run
+  if (option.kind == OptionKind::count && isWhole) return py::int_(std::llround(value));
   return py::float_(value);
 }
 

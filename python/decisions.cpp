@@ -5,8 +5,9 @@
 #include "python/held.h"
 #include "python/job.h"
 
-#include <optional>
 #include <pybind11/stl.h>
+
+#include <optional>
 
 namespace espalier::python {
 namespace {

@@ -7,9 +7,9 @@
 #include "python/words.h"
 
 #include <nlohmann/json.hpp>
+#include <pybind11/stl.h>
 
 #include <optional>
-#include <pybind11/stl.h>
 
 namespace espalier::python {
 namespace {

@@ -2,9 +2,10 @@
 
 #include "core/base/progress.h"
 
+#include <pybind11/pybind11.h>
+
 #include <functional>
 #include <optional>
-#include <pybind11/pybind11.h>
 #include <type_traits>
 #include <utility>
 

@@ -8,11 +8,12 @@
 #include "python/bindings.h"
 #include "python/words.h"
 
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <pybind11/eigen.h>
-#include <pybind11/stl.h>
 #include <sstream>
 #include <vector>
 

@@ -3,6 +3,7 @@
 #include "core/pipeline/pipeline_options.h"
 
 #include <pybind11/pybind11.h>
+
 #include <string>
 
 namespace espalier::python {

@@ -5,7 +5,6 @@
 #include "python/job.h"
 #include "python/options.h"
 
-#include <optional>
 #include <pybind11/stl.h>
 
 namespace espalier::python {

@@ -6,10 +6,10 @@
 #include "python/held.h"
 #include "python/job.h"
 
-#include <array>
-#include <filesystem>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
+
+#include <filesystem>
 
 namespace espalier::python {
 namespace {

@@ -5,8 +5,9 @@
 #include "python/job.h"
 #include "python/words.h"
 
-#include <optional>
 #include <pybind11/stl.h>
+
+#include <optional>
 #include <utility>
 
 namespace espalier::python {

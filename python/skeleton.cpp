@@ -10,9 +10,10 @@
 #include "python/held.h"
 #include "python/words.h"
 
-#include <filesystem>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
+
+#include <filesystem>
 #include <sstream>
 
 namespace espalier::python {

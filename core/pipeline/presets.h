@@ -26,7 +26,7 @@ struct NamedPreset {
 /// Null if there is none of this name.
 [[nodiscard]] const NamedPreset* presetNamed(std::string_view name);
 
-[[nodiscard]] std::string presetNames(); // "default, thesis, ..., in_leaf"
+[[nodiscard]] std::string presetNames(); // "default, thesis, ..., plot"
 
 /// The options of a preset, by its name or else of a file (preset.h).
 /// @param meters  in the unit of the scan, for lengths as "38 mm" in a file; 0: not known

@@ -151,6 +151,16 @@ def test_errors_are_the_lines_of_the_program(points, tmp_path):
     assert f"{file}: {refusal.value}" == line
 
 
+def test_a_count_that_is_no_whole_number_is_refused(plant, tmp_path):
+    line = refused("reconstruct", plant.file, "-o", tmp_path / "a.mtg", "--set", "contract.neighbors=9.5")
+    options = espalier.Options()
+    options.contract.neighbors = 9.5
+    assert options.contract.neighbors == 9.5
+    with pytest.raises(espalier.Error) as refusal:
+        espalier.reconstruct(espalier.Scan(plant.points), options)
+    assert f"{plant.file}: {refusal.value}" == line
+
+
 def test_an_option_that_the_chosen_method_has_not_is_refused(plant, tmp_path):
     line = refused("reconstruct", plant.file, "-o", tmp_path / "a.mtg", "--set", "contract.least_radius=3")
     options = espalier.Options()

@@ -30,12 +30,11 @@
 #include <algorithm>
 #include <ranges>
 
-/// Icons, manual and style live in a static library, which the linker else leaves out. Not in a
+/// Icons and style live in a static library, which the linker else leaves out. Not in a
 /// namespace, as the macro asks.
 static void useResources() {
   Q_INIT_RESOURCE(icons);
   Q_INIT_RESOURCE(license);
-  Q_INIT_RESOURCE(manual);
   Q_INIT_RESOURCE(style);
 }
 

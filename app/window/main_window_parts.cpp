@@ -83,7 +83,11 @@ void MainWindow::makeParts() {
   makeEvaluation();
   makePreview(*pipeline);
   parts_.make<ThemeFlow>(ThemeFlow::Parts{*actions_, settings_, *this});
-  parts_.make<HelpFlow>(HelpFlow::Parts{*actions_, settings_, *this});
+  parts_.make<HelpFlow>(HelpFlow::Parts{*actions_, settings_, *this, [this] {
+                                          return document_.isEmpty()
+                                                     ? QStringLiteral("first-plant.md")
+                                                     : parts_.get<Editing>().manualPlace();
+                                        }});
   joinEdits();
   joinFiles();
   joinReview();

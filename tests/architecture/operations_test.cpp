@@ -1,4 +1,5 @@
 // Keeps the manual's table of operations and the list of their tests in step.
+#include "tests/support/manual.h"
 #include "tests/support/shared_data.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +63,7 @@ TEST(Operations, HaveTheTestsThatTheListNames) {
 }
 
 TEST(Operations, StandInTheManualAsDoneWhereTheyHaveATest) {
-  std::istringstream manual(textOf(test::sourceFolder() / "resources/manual/manual.md"));
+  std::istringstream manual(test::manualText());
   std::vector<std::string> rows;
   for (std::string line; std::getline(manual, line);)
     rows.push_back(line);

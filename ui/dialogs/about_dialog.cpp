@@ -1,5 +1,7 @@
 #include "ui/dialogs/about_dialog.h"
 
+#include "ui/document/manual_place.h"
+
 #include <QClipboard>
 #include <QDialogButtonBox>
 #include <QGuiApplication>
@@ -59,6 +61,7 @@ QTableWidget* makeTable(const QList<QStringList>& libraries) {
 
 AboutDialog::AboutDialog(const About& about, QWidget* parent) : QDialog(parent) {
   setObjectName("about_dialog");
+  setManualPlace(*this, QStringLiteral("troubleshooting.md#crashes-and-the-log"));
   setWindowTitle(tr("About Espalier"));
   setAttribute(Qt::WA_DeleteOnClose);
   resize(640, 520);

@@ -1,6 +1,7 @@
 #include "ui/dialogs/add_value_dialog.h"
 
 #include "core/mtg/typed_values.h"
+#include "ui/document/manual_place.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -28,6 +29,7 @@ AddValueDialog::AddValueDialog(const QString& title, std::vector<MtgFeature> kno
     : QDialog(parent), known_(std::move(known)), name_(new QLineEdit(this)),
       type_(new QComboBox(this)), value_(new QLineEdit(this)) {
   setObjectName("add_value");
+  setManualPlace(*this, QStringLiteral("correct.md#scales-by-hand"));
   setWindowTitle(title);
   setMinimumWidth(320);
   name_->setObjectName("feature_name");

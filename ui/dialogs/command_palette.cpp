@@ -1,5 +1,7 @@
 #include "ui/dialogs/command_palette.h"
 
+#include "ui/document/manual_place.h"
+
 #include <QAction>
 #include <QCoreApplication>
 #include <QKeyEvent>
@@ -65,6 +67,7 @@ CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* parent)
     : QDialog(parent, Qt::Popup | Qt::FramelessWindowHint), actions_(actions),
       typed_(new QLineEdit(this)), list_(new QListWidget(this)) {
   setObjectName("command_palette");
+  setManualPlace(*this, QStringLiteral("window.md#commands"));
   setAttribute(Qt::WA_DeleteOnClose);
   setFixedSize(520, 400);
   typed_->setPlaceholderText(tr("Type a command"));

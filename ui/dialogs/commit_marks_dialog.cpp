@@ -1,6 +1,7 @@
 #include "ui/dialogs/commit_marks_dialog.h"
 
 #include "ui/document/length_unit.h"
+#include "ui/document/manual_place.h"
 #include "ui/document/plant_document.h"
 
 #include <QComboBox>
@@ -36,6 +37,7 @@ CommitMarksDialog::CommitMarksDialog(PlantDocument& document, QWidget* parent)
     : QDialog(parent), document_(document), symbol_(new QLineEdit(this)),
       place_(new QComboBox(this)), outcome_(new QLabel(this)) {
   setObjectName("commit_marks");
+  setManualPlace(*this, QStringLiteral("correct.md#scales-by-hand"));
   setWindowTitle(tr("Commit Marks to a Scale"));
   symbol_->setObjectName("unit_class");
   symbol_->setPlaceholderText(tr("letters, such as S or GU"));

@@ -2,6 +2,7 @@
 
 #include "ui/dialogs/key_bindings.h"
 #include "ui/dialogs/key_edit.h"
+#include "ui/document/manual_place.h"
 
 #include <QAction>
 #include <QDialogButtonBox>
@@ -42,6 +43,7 @@ KeysDialog::KeysDialog(KeyBindings& bindings, const QAction* chosen, QWidget* pa
       reset_(makeButton("reset_keys", tr("Reset"))),
       resetAll_(makeButton("reset_all_keys", tr("Reset All"))) {
   setObjectName("keys_dialog");
+  setManualPlace(*this, QStringLiteral("window.md#keys-of-your-own"));
   setWindowTitle(tr("Change Keys"));
   resize(560, 600);
   makeList();

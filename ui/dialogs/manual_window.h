@@ -2,27 +2,47 @@
 
 #include <QDialog>
 
+#include <vector>
+
+class QLineEdit;
 class QListWidget;
+class QStackedWidget;
 class QTextBrowser;
+class QTreeWidget;
+class QUrl;
 
 namespace espalier {
 
-/// Shows a text in Markdown, its headings beside it. Not modal: one reads and works.
+/// Shows the manual: its chapters and what is found in them at the left, the text at the right. Not
+/// modal: one reads and works.
 class ManualWindow : public QDialog {
   Q_OBJECT
 
 public:
-  /// @param file  Markdown; pictures are looked for beside it. A line "{methods contract}" stands
-  /// for the rows of a table of the methods of that step
-  ManualWindow(const QString& file, QWidget* parent);
+  explicit ManualWindow(QWidget* parent);
+
+  /// Shows a chapter, from a heading on: "files.md", "files.md#projects". pre: it is shown
+  void goTo(const QString& place);
 
 private:
+  QWidget* makeSide();
+  QWidget* makePage();
+  void listChapters();
+  void follow(const QUrl& link);
+  void takeChapter(const QUrl& place); // it was opened, or the place in it is another
   void fitPictures();
-  void listHeadings();
-  void goTo(int heading);
+  void fitTables();
+  void scrollTo(const QString& anchor);
+  void choose(const QString& place); // in the list of chapters
+  void find(const QString& text);
+  void markFound();
 
-  QListWidget* headings_;
+  QLineEdit* search_;
+  QStackedWidget* lists_;
+  QTreeWidget* chapters_;
+  QListWidget* found_;
   QTextBrowser* text_;
+  QString file_; // of the chapter that is shown
 };
 
 } // namespace espalier

@@ -3,6 +3,7 @@
 #include "ui/dialogs/column_table.h"
 #include "ui/dialogs/count_box.h"
 #include "ui/dialogs/part_form.h"
+#include "ui/document/manual_place.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -49,6 +50,7 @@ ScanDialog::ScanDialog(ScanLook look, std::uint64_t mostAtOnce, QWidget* parent)
       remembers_(new QCheckBox(tr("Read files that begin alike so, too"), this)),
       limit_(new CountBox), problem_(wrappedLabel("scan_problem", "warning")) {
   setObjectName("open_scan");
+  setManualPlace(*this, QStringLiteral("files.md#what-is-in-a-scan"));
   setWindowTitle(tr("Open a Scan"));
   auto* page = new QVBoxLayout(this);
   page->setContentsMargins(24, 20, 24, 16);

@@ -2,6 +2,7 @@
 
 #include "ui/dialogs/key_bindings.h"
 #include "ui/dialogs/keys_dialog.h"
+#include "ui/document/manual_place.h"
 
 #include <QAction>
 #include <QDialogButtonBox>
@@ -140,6 +141,7 @@ QHBoxLayout* makeColumns(const std::vector<Section>& sections, std::size_t count
 ShortcutSheet::ShortcutSheet(KeyBindings& bindings, QWidget* parent)
     : QDialog(parent), bindings_(bindings), scroll_(new QScrollArea) {
   setObjectName("shortcut_sheet");
+  setManualPlace(*this, QStringLiteral("window.md#keys-of-your-own"));
   setWindowTitle(tr("Shortcuts"));
   setAttribute(Qt::WA_DeleteOnClose);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);

@@ -1,5 +1,6 @@
 #include "ui/dialogs/sign_dialog.h"
 
+#include "ui/document/manual_place.h"
 #include "ui/document/seal_text.h"
 
 #include <QDialogButtonBox>
@@ -14,6 +15,7 @@ namespace espalier {
 SignDialog::SignDialog(const Seal& draft, LengthUnit unit, const QString& signer, QWidget* parent)
     : QDialog(parent), signer_(new QLineEdit(signer, this)), reason_(new QLineEdit(this)) {
   setObjectName("sign");
+  setManualPlace(*this, QStringLiteral("review.md#the-seal"));
   setWindowTitle(tr("Sign Structure"));
   signer_->setObjectName("signer");
   auto* statement = new QLabel(

@@ -18,6 +18,7 @@ struct ToolEntry {
   QString help; // what it is for, one line
   QString icon; // name in resources/icons
   QKeySequence shortcut;
+  QString manual; // where it is described: "correct.md#along-the-points"
   std::function<std::unique_ptr<Tool>(PlantDocument&, Canvas&)> create;
   bool isForLooking = false; // is of use also in a plant that may not be edited
 };

@@ -95,7 +95,8 @@ void RegistrationFlow::addActions() {
                                  .text = tr("Registration"),
                                  .help = tr("Shows or hides the targets by which another scan is "
                                             "laid on the open one"),
-                                 .keys = {}},
+                                 .keys = {},
+                                 .manual = "several-scans.md"},
                                 besideThePlant, panel_, this));
 }
 

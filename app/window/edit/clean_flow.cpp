@@ -126,7 +126,8 @@ void CleanFlow::makePanel() {
                          .help = tr("Finds ground, poles, wires, other plants and stray points, "
                                     "and sets them aside"),
                          .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
-                         .menu = {}},
+                         .menu = {},
+                         .manual = "clean.md#the-panel-of-cleaning"},
                         besideThePlant, panel_, this));
   connect(panel_, &CleanPanel::changed, this, &CleanFlow::find);
   connect(panel_, &CleanPanel::cancelRequested, &job_, &JobSlot::cancel);

@@ -49,7 +49,8 @@ public:
   [[nodiscard]] bool isPending() const { return tool().isBusy() || tool().hasPreview(); }
 
   [[nodiscard]] QString hint() const override;
-  [[nodiscard]] QString currentTool() const { return tool_; } // its id
+  [[nodiscard]] QString currentTool() const { return tool_; }                 // its id
+  [[nodiscard]] QString manualPlace() const { return currentEntry().manual; } // of that tool
   /// @param startsWithNodes  it begins with the node under the pointer, or those selected
   void useTool(const QString& id, bool startsWithNodes = true);
   [[nodiscard]] Tool& toolNamed(const QString& id) const { return *tools_.at(id); }

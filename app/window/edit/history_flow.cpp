@@ -17,7 +17,8 @@ HistoryFlow::HistoryFlow(const Parts& parts) : parts_(parts) {
                          .title = tr("History"),
                          .text = tr("History"),
                          .help = tr("Shows or hides the list of all steps"),
-                         .keys = Qt::Key_F10},
+                         .keys = Qt::Key_F10,
+                         .manual = "window.md#history"},
                         panel, this));
   connect(panel, &HistoryPanel::chosen, this, [this](int position) {
     parts_.window.actions.guarded(

@@ -18,7 +18,8 @@ InspectorFlow::InspectorFlow(const Parts& parts) {
                          .title = tr("Inspector"),
                          .text = tr("Inspector"),
                          .help = tr("Shows or hides this panel"),
-                         .keys = Qt::Key_F7},
+                         .keys = Qt::Key_F7,
+                         .manual = "correct.md#radii"},
                         place, &parts.panel, this));
   PlantDocument& document = parts.document;
   ActionSet& actions = parts.window.actions;

@@ -31,7 +31,8 @@ NodeTableFlow::NodeTableFlow(const Parts& parts)
                          .title = tr("Nodes"),
                          .text = tr("Node Table"),
                          .help = tr("Shows or hides the table of nodes"),
-                         .keys = Qt::Key_F11},
+                         .keys = Qt::Key_F11,
+                         .manual = "window.md#the-table-of-nodes"},
                         {.size = 300}, panel_, this)); // some rows below its fields
   connectTable();
 }

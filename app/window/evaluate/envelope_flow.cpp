@@ -120,7 +120,8 @@ EnvelopeFlow::EnvelopeFlow(const Parts& parts) : parts_(parts) {
        .text = tr("Crown Envelope…"),
        .help = tr("Draws a closed surface about the crown, and measures its volume and area"),
        .keys = {},
-       .menu = "evaluate"},
+       .menu = "evaluate",
+       .manual = "traits.md#the-envelope-of-the-crown"},
       besideThePlant, panel_, this));
   timer_.setSingleShot(true);
   timer_.setInterval(250); // [ms]: a drag is followed when it rests

@@ -83,7 +83,8 @@ void EvaluationFlow::makePanel() {
                              .text = tr("Evaluation"),
                              .help = tr("Shows or hides how the plant agrees with its reference"),
                              .keys = Qt::Key_F5,
-                             .menu = "panels/evaluation"},
+                             .menu = "panels/evaluation",
+                             .manual = "compare.md"},
                             panel_, this));
 }
 

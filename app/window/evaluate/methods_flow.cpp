@@ -35,7 +35,8 @@ MethodsFlow::MethodsFlow(const Parts& parts) : parts_(parts), panel_(new Methods
                          .text = tr("Table of Methods"),
                          .help = tr("Shows or hides how other structures agree with the reference"),
                          .keys = QKeySequence(Qt::SHIFT | Qt::Key_F5),
-                         .menu = "panels/evaluation"},
+                         .menu = "panels/evaluation",
+                         .manual = "compare.md#the-table-of-methods"},
                         panel_, this);
   connect(panel_, &MethodsPanel::addRequested, this, &MethodsFlow::choose);
   connect(panel_, &MethodsPanel::copyRequested, this, &MethodsFlow::copy);

@@ -61,7 +61,8 @@ void PlotFlow::makePanel() {
                          .help = tr("Finds the plants of a plot and writes each as a project of "
                                     "its own"),
                          .keys = QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_L),
-                         .menu = {}},
+                         .menu = {},
+                         .manual = "clean.md#cut-a-plot-into-plants"},
                         besideThePlant, panel_, this));
   connect(panel_, &PlotPanel::findRequested, this, &PlotFlow::find);
   connect(panel_, &PlotPanel::cleansChanged, this, [this] {

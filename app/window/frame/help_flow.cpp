@@ -9,9 +9,13 @@
 #include "ui/dialogs/key_bindings.h"
 #include "ui/dialogs/manual_window.h"
 #include "ui/dialogs/shortcut_sheet.h"
+#include "ui/document/manual_place.h"
 #include "ui/document/shown_text.h"
 
+#include <QAction>
+#include <QApplication>
 #include <QFile>
+#include <QKeyEvent>
 
 namespace espalier {
 namespace {
@@ -38,6 +42,39 @@ HelpFlow::HelpFlow(const Parts& parts) : parts_(parts) {
   parts_.actions.place("help", {"manual", "shortcuts", "palette", "", "about"});
   keys_ = new KeyBindings(parts_.actions.all(), {"leave", "accept"}, parts_.settings, this);
   connect(keys_, &KeyBindings::changed, this, &HelpFlow::hintChanged);
+  qApp->installEventFilter(this);
+}
+
+HelpFlow::~HelpFlow() = default;
+
+QString HelpFlow::manualPlace() const {
+  const QWidget* dialog = QApplication::activeModalWidget();
+  const QWidget* in = dialog != nullptr ? dialog : QApplication::focusWidget();
+  if (const QString place = manualPlaceOf(in); !place.isEmpty()) return place;
+  return parts_.placeOfTool();
+}
+
+bool HelpFlow::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress || !watched->isWidgetType()) return false;
+  const auto& widget = static_cast<const QWidget&>(*watched);
+  const auto& keys = static_cast<const QKeyEvent&>(*event);
+  if (widget.window() == &parts_.window || manualPlaceOf(&widget).isEmpty() ||
+      !parts_.actions["manual"]->shortcuts().contains(QKeySequence(keys.keyCombination())))
+    return false;
+  showManual();
+  return true;
+}
+
+void HelpFlow::showManual() {
+  const QString place = manualPlace();
+  QWidget* dialog = QApplication::activeModalWidget();
+  // Beside a dialog that takes all keys, only what belongs to it can be used.
+  if (manual_ != nullptr && dialog != nullptr && manual_->parentWidget() != dialog) delete manual_;
+  if (manual_ == nullptr) manual_ = new ManualWindow(dialog != nullptr ? dialog : &parts_.window);
+  manual_->show();
+  manual_->raise();
+  manual_->activateWindow();
+  manual_->goTo(place);
 }
 
 void HelpFlow::addActions() {
@@ -51,10 +88,10 @@ void HelpFlow::addActions() {
               [this] { showPalette(); });
   actions.add({.id = "manual",
                .text = tr("Manual"),
-               .help = tr("How things are done"),
+               .help = tr("Opens at the chapter of the panel, tool or dialog that you are in"),
                .icon = "info",
                .keys = QKeySequence(Qt::Key_F1)},
-              [this] { (new ManualWindow(":/manual/manual.md", &parts_.window))->show(); });
+              [this] { showManual(); });
   actions.add({.id = "shortcuts",
                .text = tr("Shortcuts"),
                .help = tr("Shows all keys on one sheet"),

@@ -1,6 +1,7 @@
 #include "app/window/frame/panel_dock.h"
 
 #include "app/window/frame/action_set.h"
+#include "ui/document/manual_place.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -72,6 +73,7 @@ PanelDock::PanelDock(const Parts& parts, const Name& name, const Place& place, Q
     refresh();
   });
   dock_->setObjectName(name.id);
+  setManualPlace(*dock_, name.manual);
   if (place_.isTab) dock_->setProperty(sideName, place_.side);
   const bool isBelow = place_.side == Qt::BottomDockWidgetArea;
   dock_->setWidget(isBelow ? new PanelArea(panel) : panel);

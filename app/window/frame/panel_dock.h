@@ -33,6 +33,7 @@ public:
     QString help;
     QKeySequence keys;
     QString menu = QStringLiteral("panels"); // the place of the action
+    QString manual;                          // where the panel is described: "compare.md"
   };
   struct Place {
     Qt::DockWidgetArea side = Qt::BottomDockWidgetArea;

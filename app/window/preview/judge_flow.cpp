@@ -45,7 +45,8 @@ JudgeFlow::JudgeFlow(const Parts& parts) : parts_(parts) {
                              .title = tr("Preview in Numbers"),
                              .text = tr("Preview in Numbers"),
                              .help = tr("Shows or hides the numbers by which a preview is judged"),
-                             .keys = QKeySequence(Qt::SHIFT | Qt::Key_F6)},
+                             .keys = QKeySequence(Qt::SHIFT | Qt::Key_F6),
+                             .manual = "preview.md#judging-by-numbers"},
                             makePanel(), this));
   timer_.setSingleShot(true);
   timer_.setInterval(300); // [ms]: edits in a row are judged once

@@ -13,7 +13,8 @@ PipelineFlow::PipelineFlow(const Parts& parts) : parts_(parts) {
                          .title = tr("Pipeline"),
                          .text = tr("Pipeline"),
                          .help = tr("Shows or hides this panel"),
-                         .keys = Qt::Key_F6},
+                         .keys = Qt::Key_F6,
+                         .manual = "reconstruct.md"},
                         {.side = Qt::LeftDockWidgetArea, .size = 230, .isShown = true},
                         &parts_.panel, this));
   keepOptions();

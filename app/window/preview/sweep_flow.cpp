@@ -56,7 +56,8 @@ SweepFlow::SweepFlow(const Parts& parts) : parts_(parts) {
                      .title = tr("Sweep"),
                      .text = tr("Sweep of a Parameter"),
                      .help = tr("Shows or hides what comes of several values of one option"),
-                     .keys = QKeySequence(Qt::SHIFT | Qt::Key_F7)},
+                     .keys = QKeySequence(Qt::SHIFT | Qt::Key_F7),
+                     .manual = "preview.md#the-sweep"},
                     makePanel(), this));
   connect(&job_, &JobSlot::failed, this, [this](const QString& message) {
     if (next_ >= trials_.size()) return;

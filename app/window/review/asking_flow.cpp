@@ -93,7 +93,8 @@ void AskingFlow::makePanel() {
                                  .title = tr("Doubts"),
                                  .text = tr("Doubts Panel"),
                                  .help = tr("Shows or hides what the program is in doubt about"),
-                                 .keys = QKeySequence(Qt::SHIFT | Qt::Key_F2)},
+                                 .keys = QKeySequence(Qt::SHIFT | Qt::Key_F2),
+                                 .manual = "checks.md#doubts"},
                                 besideThePlant, panel_, this));
 }
 

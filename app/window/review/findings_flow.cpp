@@ -133,7 +133,8 @@ void FindingsFlow::makePanel() {
                                  .title = tr("Findings"),
                                  .text = tr("Findings Panel"),
                                  .help = tr("Shows or hides what the checks found"),
-                                 .keys = Qt::Key_F8},
+                                 .keys = Qt::Key_F8,
+                                 .manual = "checks.md#findings"},
                                 besideThePlant, panel_, this));
 }
 

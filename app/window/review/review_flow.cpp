@@ -160,7 +160,8 @@ void ReviewFlow::makePanel(QAction* sign) {
                                  .title = tr("Review"),
                                  .text = tr("Review Panel"),
                                  .help = tr("Shows or hides this panel"),
-                                 .keys = Qt::Key_F9},
+                                 .keys = Qt::Key_F9,
+                                 .manual = "review.md"},
                                 besideThePlant, panel_, this));
 }
 

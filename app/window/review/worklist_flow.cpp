@@ -45,7 +45,8 @@ WorklistFlow::WorklistFlow(const Parts& parts)
        .title = tr("Worklist"),
        .text = tr("Worklist"),
        .help = tr("Shows or hides the plants of a folder or table, and how far each is"),
-       .keys = QKeySequence(Qt::CTRL | Qt::Key_J)},
+       .keys = QKeySequence(Qt::CTRL | Qt::Key_J),
+       .manual = "files.md#a-series-of-plants"},
       {.size = 240, .isOfPlant = false}, panel_, this));
   again_.setSingleShot(true);
   again_.setInterval(2000); // [ms]

@@ -83,7 +83,8 @@ void ShownFlow::makePanel() {
                              .text = tr("Clipping…"),
                              .help = tr("Shows a slab or a box of the plant, and fades its back"),
                              .keys = {},
-                             .menu = "view/clipping"},
+                             .menu = "view/clipping",
+                             .manual = "looking.md#hide-and-clip"},
                             place, panel_, this));
   connect(dock, &PanelDock::shown, this, [this](bool isShown) {
     if (isShown) refreshPanel();

@@ -1,8 +1,8 @@
 // All commands of the window: where they are found, and where they are described.
 #include "app/window/frame/action_set.h"
 #include "tests/app/window/window_fixture.h"
+#include "tests/support/manual.h"
 #include "tests/support/plants.h"
-#include "tests/support/shared_data.h"
 #include "ui/panels/message_banner.h"
 #include "ui/panels/pipeline_panel.h"
 #include "ui/panels/status_line.h"
@@ -12,7 +12,6 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
-#include <QFile>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -24,8 +23,6 @@
 #include <QScrollBar>
 #include <QStyleOptionButton>
 #include <QTest>
-#include <QTextBrowser>
-#include <QTextDocument>
 #include <QTimer>
 #include <QToolButton>
 
@@ -50,33 +47,6 @@ TEST_F(MainWindowTest, TheSheetOfShortcutsListsBoxesAndLassos) {
   EXPECT_TRUE(texts.contains("Shift+drag"));
   EXPECT_TRUE(texts.contains("Alt+drag"));
   sheet.reject();
-}
-
-TEST_F(MainWindowTest, ShowsTheManual) {
-  action("manual").trigger();
-  auto& manual = find<QDialog>("manual_window");
-  const auto* text = manual.findChild<QTextBrowser*>();
-  EXPECT_TRUE(text->toPlainText().contains("Remove Subtree"));
-  EXPECT_TRUE(text->toPlainText().contains("Branch structure graph")) << "of the registry";
-  EXPECT_FALSE(text->toPlainText().contains("{methods"));
-  QMap<QString, double> widths;
-  for (const QTextFormat& format : text->document()->allFormats())
-    if (format.isImageFormat() && format.hasProperty(QTextFormat::ImageWidth))
-      widths.insert(format.toImageFormat().name(), format.toImageFormat().width());
-  EXPECT_EQ(widths.value("section.png"), 188) << "as it is";
-  EXPECT_EQ(widths.value("editor.png"), 620) << "no wider than the page";
-  auto* headings = manual.findChild<QListWidget*>();
-  ASSERT_GT(headings->count(), 3);
-  EXPECT_FALSE(headings->horizontalScrollBar()->isVisible());
-  EXPECT_EQ(text->horizontalScrollBar()->maximum(), 0) << "all is as wide as the page";
-  for (int row = 0; row < headings->count(); ++row) {
-    const QListWidgetItem& item = *headings->item(row);
-    EXPECT_LE(headings->visualItemRect(&item).right(), headings->viewport()->width())
-        << item.text().toStdString();
-  }
-  headings->setCurrentRow(3);
-  EXPECT_GT(text->verticalScrollBar()->value(), 0);
-  manual.close();
 }
 
 TEST_F(MainWindowTest, OffersTheEditsOfANodeInItsMenu) {
@@ -143,10 +113,7 @@ TEST_F(MainWindowTest, GivesEveryActionANameAndHelpAndNoKeyTwice) {
 }
 
 TEST_F(MainWindowTest, HasALineInTheManualForEveryAction) {
-  QFile file(
-      QString::fromStdString((test::sourceFolder() / "resources/manual/manual.md").string()));
-  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-  const QString manual = QString::fromUtf8(file.readAll());
+  const QString manual = QString::fromStdString(test::manualText());
   const QRegularExpression pointSize("^\\d+ px$"); // one line is for all
   for (const QAction* each : window().actionSet().all()) {
     const QString name = each->text().remove('&');

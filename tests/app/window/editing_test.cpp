@@ -65,10 +65,11 @@ protected:
                                 "Is another",
                                 "select",
                                 {},
+                                {},
                                 [](PlantDocument& document, Canvas& canvas) {
                                   return std::make_unique<PreviewTool>(document, canvas);
                                 }},
-                               {"preview", "Preview", "Shows", "add", {}, make}});
+                               {"preview", "Preview", "Shows", "add", {}, {}, make}});
     editing_->useTool("preview");
     window_.show();
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&window_));

@@ -1,14 +1,14 @@
 #include "core/evaluate/compared_plants.h"
 #include "core/evaluate/comparison_json.h"
 #include "tests/core/evaluate/evaluate_plants.h"
+#include "tests/support/manual.h"
 #include "tests/support/plants.h"
-#include "tests/support/shared_data.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <fstream>
 #include <set>
+#include <sstream>
 
 namespace espalier {
 namespace {
@@ -96,7 +96,7 @@ std::string titled(std::string text) {
 
 // The manual has a row for each score, by groups: its symbol, key and help.
 TEST(Scores, AreThoseOfTheManual) {
-  std::ifstream manual(test::sourceFolder() / "resources/manual/manual.md");
+  std::istringstream manual(test::manualText());
   std::string line;
   while (std::getline(manual, line) && line != "| score | key | is |") {
   }

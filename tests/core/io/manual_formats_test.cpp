@@ -1,10 +1,8 @@
 // The table of formats in the manual says what the program reads and writes.
 #include "core/io/formats.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/manual.h"
 
-#include <fstream>
 #include <gmock/gmock.h>
-#include <iterator>
 #include <sstream>
 
 namespace espalier {
@@ -12,11 +10,6 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
-
-std::string manual() {
-  std::ifstream in(test::sourceFolder() / "resources/manual/manual.md");
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// Of each row with extensions: "| .ply | yes | no |".
 std::vector<std::string> rowsIn(const std::string& text) {
@@ -35,7 +28,7 @@ std::vector<std::string> rowsIn(const std::string& text) {
 }
 
 TEST(Manual, HasARowForEachFormat) {
-  const std::vector<std::string> rows = rowsIn(manual());
+  const std::vector<std::string> rows = rowsIn(test::manualText());
   std::size_t formatsInUse = 0;
   for (const Format& format : formats()) {
     if (!format.canRead() && !format.canWrite()) continue;
@@ -50,7 +43,8 @@ TEST(Manual, HasARowForEachFormat) {
 }
 
 TEST(Manual, AdvisesAsTheProgramDoes) {
-  EXPECT_THAT(manual(), HasSubstr("`laszip -i a.laz -o a.las`")); // as unreadable LAZ files do
+  EXPECT_THAT(test::manualText(),
+              HasSubstr("`laszip -i a.laz -o a.las`")); // as unreadable LAZ files do
 }
 
 } // namespace

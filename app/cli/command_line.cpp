@@ -49,6 +49,7 @@ void addAll(CLI::App& app) {
   addInfo(app);
   addSimulate(app);
   addMethods(app);
+  addManual(app);
   addPicture(app);
   addAnswer(app);
   // What subcommands would inherit comes after them.

@@ -26,6 +26,7 @@ void addConvert(CLI::App& app);
 void addInfo(CLI::App& app);
 void addSimulate(CLI::App& app);
 void addMethods(CLI::App& app);
+void addManual(CLI::App& app);
 void addPicture(CLI::App& app);
 void addAnswer(CLI::App& app);
 

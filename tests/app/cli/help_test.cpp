@@ -14,10 +14,10 @@ using test::runProgram;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const test::Arguments subcommands = {"reconstruct", "clean",    "smooth",  "plants",  "batch",
-                                     "contract",    "evaluate", "noise",   "convert", "info",
-                                     "simulate",    "methods",  "picture", "answer",  "sweep",
-                                     "traits",      "envelope", "register"};
+const test::Arguments subcommands = {"reconstruct", "clean",    "smooth",   "plants",  "batch",
+                                     "contract",    "evaluate", "noise",    "convert", "info",
+                                     "simulate",    "methods",  "manual",   "picture", "answer",
+                                     "sweep",       "traits",   "envelope", "register"};
 
 void expectPage(const Outcome& help) {
   EXPECT_EQ(help.status, 0);

@@ -29,6 +29,7 @@
 #include "app/window/frame/help_flow.h"
 #include "app/window/frame/panel_dock.h"
 #include "app/window/frame/theme_flow.h"
+#include "app/window/frame/tour_flow.h"
 #include "app/window/main_window.h"
 #include "app/window/preview/choices_flow.h"
 #include "app/window/preview/density_flow.h"
@@ -83,6 +84,7 @@ void MainWindow::makeParts() {
   makeEvaluation();
   makePreview(*pipeline);
   parts_.make<ThemeFlow>(ThemeFlow::Parts{*actions_, settings_, *this});
+  parts_.make<TourFlow>(TourFlow::Parts{document_, *actions_, settings_, *this});
   parts_.make<HelpFlow>(HelpFlow::Parts{*actions_, settings_, *this, [this] {
                                           return document_.isEmpty()
                                                      ? QStringLiteral("first-plant.md")

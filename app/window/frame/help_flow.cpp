@@ -39,7 +39,7 @@ AboutDialog::About about() {
 
 HelpFlow::HelpFlow(const Parts& parts) : parts_(parts) {
   addActions();
-  parts_.actions.place("help", {"manual", "shortcuts", "palette", "", "about"});
+  parts_.actions.place("help", {"manual", "tour", "shortcuts", "palette", "", "about"});
   keys_ = new KeyBindings(parts_.actions.all(), {"leave", "accept"}, parts_.settings, this);
   connect(keys_, &KeyBindings::changed, this, &HelpFlow::hintChanged);
   qApp->installEventFilter(this);

@@ -42,6 +42,7 @@ WindowTest::WindowTest()
   settings_->setValue("sessions_folder", path("sessions"));
   settings_->setValue("sample_folder", path("samples"));
   settings_->setValue("pictures_folder", path("pictures"));
+  settings_->setValue("tour/was_shown", true);
   restart();
 }
 

@@ -1,0 +1,69 @@
+// The tour of three hints.
+#include "tests/app/window/window_fixture.h"
+#include "ui/panels/tour_hint.h"
+
+#include <QAction>
+#include <QPushButton>
+#include <QSettings>
+#include <QTest>
+
+namespace espalier {
+namespace {
+
+class TourTest : public test::WindowTest {
+protected:
+  /// As for one who starts the program for the first time.
+  void forget() {
+    QSettings(path("settings.ini"), QSettings::IniFormat).remove("tour/was_shown");
+    restart();
+  }
+  TourHint& hint() { return find<TourHint>("tour_hint"); }
+};
+
+TEST_F(TourTest, IsShownWithTheFirstScanAndNeverAgainUnasked) {
+  forget();
+  EXPECT_FALSE(hint().isVisible());
+  open({writeScan("first.xyz")});
+  EXPECT_TRUE(hint().isVisible());
+  EXPECT_TRUE(hint().text().contains("Ctrl+R")) << hint().text().toStdString();
+  restart();
+  open({path("first.xyz")});
+  EXPECT_FALSE(hint().isVisible());
+  action("tour").trigger();
+  EXPECT_TRUE(hint().isVisible());
+}
+
+TEST_F(TourTest, GoesOnWithWhatOneDoesAndEnds) {
+  open({writeScan("scan.xyz")});
+  action("tour").trigger();
+  action("reconstruct").trigger();
+  waitForJob();
+  EXPECT_TRUE(hint().text().contains("F2")) << hint().text().toStdString();
+  action("next_finding").trigger();
+  EXPECT_TRUE(hint().text().contains("F9")) << hint().text().toStdString();
+  action("show_review").trigger();
+  EXPECT_FALSE(hint().isVisible());
+}
+
+TEST_F(TourTest, GoesOnByItsButtonAndIsLeftByEscape) {
+  open({writeScan("scan.xyz")});
+  action("tour").trigger();
+  clickButton("tour_next");
+  EXPECT_TRUE(hint().text().contains("F2"));
+  clickButton("tour_next");
+  clickButton("tour_next");
+  EXPECT_FALSE(hint().isVisible()) << "after the third";
+  action("tour").trigger();
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(hint().isVisible());
+}
+
+TEST_F(TourTest, TakesTheSamplePlantWhereNoneIsOpen) {
+  action("tour").trigger();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return hint().isVisible(); }, patience));
+  EXPECT_NE(document().scan(), nullptr);
+  EXPECT_TRUE(window().rect().contains(hint().geometry()));
+}
+
+} // namespace
+} // namespace espalier

@@ -38,6 +38,7 @@ protected:
   QTextBrowser& text() { return *manual().findChild<QTextBrowser*>(); }
   QTreeWidget& chapters() { return *manual().findChild<QTreeWidget*>("manual_chapters"); }
   QListWidget& found() { return *manual().findChild<QListWidget*>("manual_found"); }
+  QString place() { return chapters().currentItem()->text(0); }
   /// The text of the first line that is whole in the page.
   QString firstLine() { return text().cursorForPosition({4, 24}).block().text(); }
 };
@@ -158,6 +159,26 @@ TEST_F(ManualTest, HasEveryChapterPictureAndHeadingThatItNames) {
         << file.path().filename() << " is in no chapter";
 }
 
+// packaging/manual_pictures can make each of them again.
+TEST_F(ManualTest, HasOnlyPicturesThatAreMadeByTheProgram) {
+  std::string makers;
+  for (const char* source : {"window_pictures.cpp", "option_pictures.cpp"}) {
+    std::ifstream in(test::sourceFolder() / "tests/pictures" / source);
+    makers.append(std::istreambuf_iterator<char>(in), {});
+  }
+  int pictures = 0;
+  for (const auto& file :
+       std::filesystem::directory_iterator(test::sourceFolder() / "resources/manual")) {
+    const std::string name = file.path().filename().string();
+    if (file.path().extension() != ".png") continue;
+    ++pictures;
+    if (!name.starts_with("option-")) {
+      EXPECT_THAT(makers, testing::HasSubstr('"' + name + '"'));
+    }
+  }
+  EXPECT_GT(pictures, 15);
+}
+
 TEST_F(ManualTest, DescribesEachPanelToolAndDialogAtAPlaceThatIsThere) {
   const std::multiset<QString> places = allPlaces();
   const auto docks = window().findChildren<QDockWidget*>();
@@ -188,11 +209,11 @@ TEST_F(ManualTest, DescribesEachPanelToolAndDialogAtAPlaceThatIsThere) {
 }
 
 TEST_F(ManualTest, OpensAtWhatOneIsIn) {
-  open({writeScan("scan.ply"), writeFork("fork.mtg")});
+  open({writeScan("scan.xyz"), writeFork("fork.mtg")});
   view().setFocus();
   action("tool_trace").trigger();
   key(Qt::Key_F1);
-  EXPECT_EQ(firstLine(), "Along the points");
+  EXPECT_EQ(place(), "Along the points");
   manual().close();
   QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   action("show_node_table").trigger();
@@ -200,11 +221,11 @@ TEST_F(ManualTest, OpensAtWhatOneIsIn) {
   filter->setFocus();
   ASSERT_TRUE(filter->hasFocus());
   QTest::keyClick(filter, Qt::Key_F1);
-  EXPECT_EQ(firstLine(), "The table of nodes");
+  EXPECT_EQ(place(), "The table of nodes");
   action("tool_measure").trigger();
   view().setFocus();
   action("manual").trigger();
-  EXPECT_EQ(firstLine(), "Measuring") << "in the window that is open";
+  EXPECT_EQ(place(), "Measuring") << "in the window that is open";
   EXPECT_EQ(window().findChildren<QDialog*>("manual_window").size(), 1);
 }
 
@@ -213,7 +234,7 @@ TEST_F(ManualTest, OpensBesideADialogAtItsChapter) {
   auto* field = find<QDialog>("command_palette").findChild<QLineEdit*>();
   field->setFocus();
   QTest::keyClick(field, Qt::Key_F1);
-  EXPECT_EQ(firstLine(), "Commands");
+  EXPECT_EQ(place(), "Commands");
 }
 
 } // namespace

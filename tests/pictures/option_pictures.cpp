@@ -30,7 +30,10 @@ protected:
       scene.setCloud(contractedCloud(*made.contracted));
     else
       scene.setCloud(cloud_);
-    if (step.name == skeletonStep().name) scene.setSkeleton(*made.skeleton);
+    if (step.name == skeletonStep().name) {
+      scene.setSkeleton(*made.skeleton);
+      scene.points.visible = false; // they would hide it
+    }
     constexpr QSize size(300, 300);
     Scene whole; // all are seen from one place
     whole.setCloud(cloud_);

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -47,8 +48,8 @@ void TourHint::showText(const QString& title, const QString& text, const QString
   next_->setText(next);
   beside_ = beside;
   show();
-  raise();
   place();
+  QTimer::singleShot(0, this, &TourHint::place); // what it stands beside may be laid out by then
 }
 
 QString TourHint::text() const {
@@ -62,6 +63,7 @@ bool TourHint::eventFilter(QObject*, QEvent* event) {
 
 void TourHint::place() {
   adjustSize();
+  raise();
   constexpr int apart = 12; // [px]
   const QWidget& parent = *parentWidget();
   QRect at(QPoint(apart, apart), size());

@@ -47,10 +47,12 @@ TourFlow::TourFlow(const Parts& parts) : parts_(parts), hint_(new TourHint(&part
     connect(actions[id], &QAction::triggered, this, [this] {
       if (step_ == 3) leave();
     });
-  connect(&parts_.document, &PlantDocument::scanChanged, this, [this] {
-    if (parts_.document.scan() == nullptr) return leave();
-    if (isAwaited_ || !parts_.settings.value(shownKey, false).toBool()) begin();
-  });
+}
+
+void TourFlow::setPlantShown(bool isShown) {
+  if (!isShown) return leave();
+  if (parts_.document.scan() == nullptr || step_ > 0) return;
+  if (isAwaited_ || !parts_.settings.value(shownKey, false).toBool()) begin();
 }
 
 void TourFlow::begin() {

@@ -28,6 +28,8 @@ public:
   };
   explicit TourFlow(const Parts& parts);
 
+  void setPlantShown(bool isShown) override; // its panels are there
+
 private:
   void begin();
   void goTo(int step); // 1 to 3; beyond: the tour ends

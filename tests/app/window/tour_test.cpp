@@ -7,6 +7,8 @@
 #include <QSettings>
 #include <QTest>
 
+#include <cstdlib>
+
 namespace espalier {
 namespace {
 
@@ -26,6 +28,11 @@ TEST_F(TourTest, IsShownWithTheFirstScanAndNeverAgainUnasked) {
   open({writeScan("first.xyz")});
   EXPECT_TRUE(hint().isVisible());
   EXPECT_TRUE(hint().text().contains("Ctrl+R")) << hint().text().toStdString();
+  QTest::qWait(50);
+  const auto& button = find<QPushButton>("reconstruct_button");
+  const QPoint place = button.mapTo(&window(), button.rect().center());
+  EXPECT_GT(hint().geometry().left(), place.x());
+  EXPECT_LT(std::abs(hint().geometry().center().y() - place.y()), hint().height()) << "beside it";
   restart();
   open({path("first.xyz")});
   EXPECT_FALSE(hint().isVisible());

@@ -29,7 +29,7 @@ def reconstruct(arguments, folder, log):
         rows = csv.writer(file)
         rows.writerow(["name", "scan", "reference"])
         rows.writerow([arguments.name, arguments.scan.resolve(),
-                       arguments.reference.resolve() if arguments.reference else ""])
+                       Path(arguments.reference).resolve() if arguments.reference else ""])
     settings = json.loads(arguments.settings)
     command = [arguments.espalier, "batch", str(table), "-o", str(folder),
                "--threads", str(arguments.threads), "--up", settings["up"]]
@@ -39,7 +39,9 @@ def reconstruct(arguments, folder, log):
     for each in settings["set"]:
         command += ["--set", each]
     command += settings["options"]
-    (folder / "summary.csv").unlink(missing_ok=True)  # a failure of a run before is none of this
+    # What a run before made, or failed at, is none of this.
+    for made in ("summary.csv", "picture.png", arguments.name + ".mtg", arguments.name + ".doubts.json"):
+        (folder / made).unlink(missing_ok=True)
     status, errors = run(command, log)
     if status == -signal.SIGINT or status == 130:
         sys.exit(130)
@@ -60,6 +62,8 @@ def reconstruct(arguments, folder, log):
             if arguments.attempt < arguments.last:
                 print(f"{arguments.name}: {row['problem']}", file=sys.stderr)
                 sys.exit(1)
+    if arguments.no_reference_in:
+        notes.append(f"no scores: {arguments.no_reference_in} holds no structure named as the scan")
     return row, notes
 
 
@@ -74,7 +78,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--name", required=True)
     parser.add_argument("--scan", required=True, type=Path)
-    parser.add_argument("--reference", nargs="?", type=Path)
+    parser.add_argument("--reference", required=True, help="empty: there is none")
+    parser.add_argument("--no-reference-in", required=True, help="where it is missing; empty: nowhere")
     parser.add_argument("--settings", required=True)
     parser.add_argument("--threads", required=True, type=int)
     parser.add_argument("--attempt", required=True, type=int)
@@ -89,8 +94,6 @@ def main():
         row, notes = reconstruct(arguments, folder, log)
         if row["status"] == "done":
             draw(arguments, folder, log)
-        else:
-            (folder / "picture.png").unlink(missing_ok=True)
     row["name"] = arguments.name
     part = arguments.result.with_suffix(".part")
     part.write_text(json.dumps({"row": row, "notes": notes}, indent=1) + "\n")

@@ -188,6 +188,10 @@ std::int64_t Database::integer(std::string_view sql) const {
   return statement.step() ? statement.integer(0) : 0;
 }
 
+bool Database::isInTransaction() const {
+  return sqlite3_get_autocommit(connection_.get()) == 0;
+}
+
 void Database::configure() const {
   sqlite3* database = connection_.get();
   // A file of others may hold any schema: it must not run code of its own.
@@ -199,6 +203,19 @@ void Database::configure() const {
   sqlite3_busy_timeout(database, patience);
   execute("PRAGMA cell_size_check = ON");
   (void)integer("SELECT count(*) FROM sqlite_schema"); // the first look at the file
+}
+
+ReadTransaction::ReadTransaction(const Database& database)
+    : database_(database.isInTransaction() ? nullptr : &database) {
+  if (database_ != nullptr) database_->execute("BEGIN");
+}
+
+ReadTransaction::~ReadTransaction() {
+  if (database_ == nullptr) return;
+  try {
+    database_->execute("ROLLBACK"); // there is nothing to commit
+  } catch (const Error&) {          // SQLite has done it already
+  }
 }
 
 Transaction::Transaction(const Database& database) : database_(database) {

@@ -66,11 +66,26 @@ public:
   [[nodiscard]] std::int64_t integer(std::string_view sql) const; // 0 without a row
 
 private:
+  friend class ReadTransaction;
   Database() = default;
+  [[nodiscard]] bool isInTransaction() const;
   void configure() const;
 
   std::unique_ptr<sqlite3, int (*)(sqlite3*)> connection_{nullptr, nullptr};
   std::string file_; // for messages
+};
+
+/// What is read while it lives is of one moment, whatever others write meanwhile. One within
+/// another or within a Transaction reads what that does.
+class ReadTransaction {
+public:
+  explicit ReadTransaction(const Database& database);
+  ~ReadTransaction();
+  ReadTransaction(const ReadTransaction&) = delete;
+  ReadTransaction& operator=(const ReadTransaction&) = delete;
+
+private:
+  const Database* database_; // null: another one was open
 };
 
 /// Changes that come all or not at all: taken back unless committed.

@@ -33,8 +33,11 @@ bool hasWaitingEdits(const fs::path& path) {
 Database openedIn(const fs::path& path, Access access) {
   requireReadable(path);
   if (access == Access::readWrite) return {path, Opening::readWrite};
-  const bool mayChange = ProjectLock::holder(path) || hasWaitingEdits(path);
-  return {path, mayChange ? Opening::readOnly : Opening::frozen};
+  const auto mayChange = [&] { return ProjectLock::holder(path) || hasWaitingEdits(path); };
+  if (mayChange()) return {path, Opening::readOnly};
+  Database frozen(path, Opening::frozen);
+  if (mayChange()) return {path, Opening::readOnly}; // a window came meanwhile
+  return frozen;
 }
 
 fs::path whole(const fs::path& path) {

@@ -89,7 +89,7 @@ public:
   /// The plant as it is, and of the steps that are done those from the last one on that made it
   /// anew (madePlantAnew), or all: what handWork() counts. Of a damaged file, history().
   /// Time O(nodes + changes of these steps), however many reconstructions were before.
-  [[nodiscard]] History lastWork() const;
+  [[nodiscard]] Imported<History> lastWork() const;
 
   /// Changes the history: its first `kept` steps stay, `added` follow, `position` are done.
   /// Time O(changes of `added`), one sync of the disk.

@@ -265,6 +265,7 @@ std::optional<Place> nearestPlace(const Database& database, const Journal& journ
 } // namespace
 
 Imported<History> Project::history() const {
+  const ReadTransaction one(database_);
   Journal journal(database_);
   requireFewIds(database_, journal.idEnd(), path_.string());
   const std::optional<std::int64_t> stored = storedPosition(database_);
@@ -347,17 +348,19 @@ std::optional<std::vector<HistoryStep>> lastSteps(const Database& database, std:
 
 } // namespace
 
-History Project::lastWork() const {
+Imported<History> Project::lastWork() const {
+  const ReadTransaction one(database_);
   std::optional<Place> place = presentPlace(database_, path_.string());
   std::optional<std::vector<HistoryStep>> steps;
   if (place) steps = lastSteps(database_, place->at, place->skeleton.size());
-  if (!steps) return history().value;
+  if (!steps) return history();
   const std::size_t position = steps->size();
-  return {.skeleton = std::move(place->skeleton),
-          .leftOut = std::move(place->leftOut),
-          .steps = std::move(*steps),
-          .position = position,
-          .organs = std::move(place->organs)};
+  return {.value = {.skeleton = std::move(place->skeleton),
+                    .leftOut = std::move(place->leftOut),
+                    .steps = std::move(*steps),
+                    .position = position,
+                    .organs = std::move(place->organs)},
+          .notes = {}};
 }
 
 void Project::record(std::size_t kept, std::span<const HistoryStep> added, std::size_t position,
@@ -417,6 +420,7 @@ void Project::removeVersion(std::string_view name) {
 }
 
 Imported<std::vector<PlantVersion>> Project::versions() const {
+  const ReadTransaction one(database_);
   Imported<std::vector<PlantVersion>> result;
   const bool isOlder =
       database_.integer("SELECT count(*) FROM sqlite_schema WHERE name = 'version'") == 0;

@@ -89,7 +89,9 @@ ReadPlant readProjectOf(const fs::path& project, const FileStamp& stamp,
   ReadPlant plant;
   try {
     const Project opened = Project::open(project, Access::readOnly);
-    const History work = opened.lastWork();
+    const Imported<History> read = opened.lastWork();
+    const History& work = read.value;
+    if (!read.notes.empty()) plant.work.problem = read.notes.front();
     plant.work.state = workState(opened, work);
     plant.picture = pictures.find(project, stamp);
     if (!plant.picture.isNull() || work.skeleton.isEmpty()) return plant;
@@ -117,9 +119,9 @@ ReadPlant readScanOf(const fs::path& scan, const FileStamp& stamp, const Picture
 std::optional<SealedAgreement> agreementOf(const fs::path& project, const fs::path& second,
                                            const Progress& progress) {
   try {
-    const History plant = Project::open(project, Access::readOnly).lastWork();
+    const History plant = Project::open(project, Access::readOnly).lastWork().value;
     const Project other = Project::open(second, Access::readOnly);
-    const History reference = other.lastWork();
+    const History reference = other.lastWork().value;
     if (!(totalLength(plant.skeleton) > 0) || !(totalLength(reference.skeleton) > 0))
       return std::nullopt;
     return agreement(workState(other, reference).annotator, plant.skeleton, reference.skeleton, 0,

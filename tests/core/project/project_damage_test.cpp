@@ -77,7 +77,10 @@ TEST(DamagedProject, GivesAsLastWorkWhatItsHistoryIs) {
   const fs::path file = projectOfTenMoves();
   Database(file, Opening::readWrite).execute("UPDATE journal SET delta = x'00' WHERE step = 4");
   const Project project = Project::open(file, Access::readOnly);
-  EXPECT_EQ(project.lastWork(), project.history().value);
+  const Imported<History> last = project.lastWork();
+  EXPECT_EQ(last.value, project.history().value);
+  EXPECT_EQ(last.notes, project.history().notes);
+  EXPECT_EQ(last.notes.size(), 1U);
 }
 
 TEST(DamagedProject, GivesThePlantUpToTheLastGoodStep) {

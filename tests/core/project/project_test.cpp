@@ -98,7 +98,7 @@ TEST(Project, ReadsTheLastWorkAlone) {
       step([](SkeletonEditor& editor) { (void)editor.add({}); }, false);
     }
     (void)Project::create(file, history);
-    const History last = Project::open(file, Access::readOnly).lastWork();
+    const History last = Project::open(file, Access::readOnly).lastWork().value;
     EXPECT_EQ(last.skeleton, history.skeleton);
     EXPECT_EQ(last.leftOut, history.leftOut);
     EXPECT_EQ(last.organs, history.organs);
@@ -117,10 +117,27 @@ TEST(Project, ReadsTheLastWorkOfAPlantThatIsPartlyUndone) {
   for (int i = 0; i < 60; ++i) {
     const auto act = edits.next();
     project.record(act.kept, act.added, act.position);
-    const History last = project.lastWork();
+    const History last = project.lastWork().value;
     ASSERT_EQ(last.skeleton, edits.history().skeleton) << "after act " << i;
     const auto done = std::span(edits.history().steps).first(edits.history().position);
     ASSERT_EQ(handWork(last.steps, last.skeleton), handWork(done, edits.history().skeleton));
+  }
+}
+
+TEST(Project, IsReadAsItWasAtOneMomentWhileAnotherWritesToIt) {
+  const fs::path file = test::freshFolder() / "oak.espalier";
+  test::EditsAtRandom edits({.skeleton = test::randomPlant(300, 5)}, 5);
+  Project project = Project::create(file, edits.history());
+  const Project reading = Project::open(file, Access::readOnly);
+  std::jthread writer([&](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      const auto act = edits.next();
+      project.record(act.kept, act.added, act.position);
+    }
+  });
+  for (int i = 0; i < 400; ++i) {
+    ASSERT_THAT(reading.lastWork().notes, testing::IsEmpty()) << "reading " << i;
+    ASSERT_THAT(reading.history().notes, testing::IsEmpty()) << "reading " << i;
   }
 }
 

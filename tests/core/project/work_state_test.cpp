@@ -45,7 +45,7 @@ struct WorkStateTest : testing::Test {
       project.setDocument(openFindingsName, findings);
     }
     const Project project = Project::open(file, Access::readOnly);
-    return workState(project, project.lastWork());
+    return workState(project, project.lastWork().value);
   }
 };
 

@@ -43,7 +43,7 @@ struct WorklistTest : testing::Test {
     for (const fs::path& each : list.projects) {
       try {
         const Project read = Project::open(each, Access::readOnly);
-        known[each] = {.state = workState(read, read.lastWork())};
+        known[each] = {.state = workState(read, read.lastWork().value)};
       } catch (const Error& error) {
         known[each] = {.problem = error.what()};
       }

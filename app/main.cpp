@@ -3,6 +3,7 @@
 #include "app/log/crash_handler.h"
 #include "app/log/run_log.h"
 #include "app/window/main_window.h"
+#include "ui/jobs/job_threads.h"
 
 #include <QApplication>
 #include <QDir>
@@ -47,6 +48,7 @@ int runEditor(int argc, char** argv) {
   const QString logs = espalier::RunLog::usualFolder();
   const espalier::RunLog log(logs);
   espalier::reportCrashes(log.descriptor());
+  espalier::setJobThreadStart(&espalier::reportCrashesOfThread);
   QSettings settings;
   espalier::MainWindow window(settings);
   QObject::connect(&window, &espalier::MainWindow::workedOn, [](const QString& project) {
@@ -54,10 +56,8 @@ int runEditor(int argc, char** argv) {
   });
   window.show();
   const QStringList files = QApplication::arguments().mid(1);
-  if (!files.isEmpty())
-    window.open(files);
-  else if (const auto crash = espalier::takeCrash(logs))
-    window.showCrash(crash->project, crash->log);
+  if (!files.isEmpty()) window.open(files);
+  if (const auto crash = espalier::takeCrash(logs)) window.showCrash(crash->project, crash->log);
   return QApplication::exec();
 }
 

@@ -1,7 +1,10 @@
 #include "app/log/crash_handler.h"
 
+#include <tbb/task_scheduler_observer.h>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -9,6 +12,7 @@
 #include <execinfo.h>
 #include <string_view>
 #include <unistd.h>
+#include <vector>
 
 namespace espalier {
 namespace {
@@ -67,17 +71,23 @@ void describe(int descriptor, int signal) {
 }
 
 extern "C" void onCrash(int signal) {
-  static volatile std::sig_atomic_t isReported = 0; // by another thread, or by this: it goes on
-  if (isReported == 0) {
-    isReported = 1;
+  static std::atomic<pid_t> reporter = 0; // the first thread that crashed
+  pid_t first = 0;
+  if (reporter.compare_exchange_strong(first, ::gettid())) {
+    // First what the next start looks for: where the stack is destroyed, the frames end the
+    // program.
+    put(logDescriptor, "\n");
+    put(logDescriptor, crashLine);
+    put(logDescriptor, workedOn.get());
+    put(logDescriptor, "\n");
     describe(STDERR_FILENO, signal);
     describe(logDescriptor, signal);
     std::array<void*, 64> frames{};
     const int count = ::backtrace(frames.data(), static_cast<int>(frames.size()));
     if (logDescriptor >= 0) ::backtrace_symbols_fd(frames.data(), count, logDescriptor);
-    put(logDescriptor, crashLine);
-    put(logDescriptor, workedOn.get());
-    put(logDescriptor, "\n");
+  } else {
+    while (first != ::gettid()) // what has crashed since waits until the report ends the program
+      ::pause();
   }
   std::signal(signal, SIG_DFL);
   std::raise(signal);
@@ -95,14 +105,53 @@ extern "C" void onCrash(int signal) {
   std::abort();
 }
 
+/// What the handler runs on: a stack that overflowed has no room for it.
+class CrashStack {
+public:
+  CrashStack() {
+    const stack_t place = {.ss_sp = bytes_.data(), .ss_flags = 0, .ss_size = bytes_.size()};
+    ::sigaltstack(&place, nullptr);
+  }
+  ~CrashStack() {
+    const stack_t none = {.ss_sp = nullptr, .ss_flags = SS_DISABLE, .ss_size = 0};
+    ::sigaltstack(&none, nullptr);
+  }
+  CrashStack(const CrashStack&) = delete;
+  CrashStack& operator=(const CrashStack&) = delete;
+
+private:
+  std::vector<char> bytes_ = std::vector<char>(65536);
+};
+
+void giveStack() {
+  static thread_local const CrashStack stack;
+}
+
+/// Gives one to each thread that helps the one it was made by.
+class HelpersStacks : public tbb::task_scheduler_observer {
+public:
+  HelpersStacks() { observe(true); }
+  ~HelpersStacks() override { observe(false); }
+  HelpersStacks(const HelpersStacks&) = delete;
+  HelpersStacks& operator=(const HelpersStacks&) = delete;
+  void on_scheduler_entry(bool /*isWorker*/) override { giveStack(); }
+};
+
 } // namespace
+
+void reportCrashesOfThread() {
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  giveStack();
+  static thread_local const HelpersStacks helpers;
+#else
+  static_cast<void>(giveStack);
+#endif
+}
 
 void reportCrashes(int log) {
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   logDescriptor = log;
-  static std::array<char, 65536> stack; // what is left of the usual one may not do
-  const stack_t place = {.ss_sp = stack.data(), .ss_flags = 0, .ss_size = stack.size()};
-  ::sigaltstack(&place, nullptr);
+  reportCrashesOfThread();
   std::array<void*, 1> first{};
   ::backtrace(first.data(), 1); // loads what it needs, which the handler must not do
   struct sigaction action = {};

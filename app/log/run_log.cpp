@@ -12,6 +12,7 @@
 #include <QSysInfo>
 
 #include <algorithm>
+#include <atomic>
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -21,15 +22,16 @@ namespace {
 constexpr int keptRuns = 20;
 constexpr qint64 longest = 10'000'000; // [bytes] of a log; what comes behind is left out
 
-int openLog = -1;
-qint64 written = 0;
+std::atomic<int> openLog = -1;   // messages come from any thread
+std::atomic<qint64> written = 0; // or left out
 QtMessageHandler usual = nullptr;
 
 void writeLine(const QString& text) {
   const QByteArray line = text.toUtf8() + '\n';
-  if (openLog < 0 || written + line.size() > longest) return;
-  const ssize_t done = ::write(openLog, line.constData(), static_cast<std::size_t>(line.size()));
-  written += std::max<ssize_t>(done, 0); // a full disk costs the log alone
+  const int log = openLog;
+  if (log < 0 || written.fetch_add(line.size()) + line.size() > longest) return;
+  // A full disk costs the log alone.
+  (void)!::write(log, line.constData(), static_cast<std::size_t>(line.size()));
 }
 
 /// May be called by any thread: a line is one write.
@@ -95,7 +97,7 @@ std::optional<Crash> takeCrash(const QString& folder) {
     if (name.endsWith(".taken.log")) continue;
     QFile file(place.filePath(name));
     if (!file.open(QIODevice::ReadOnly)) continue;
-    constexpr qint64 end = 65536; // a crash is what comes last
+    constexpr qint64 end = 1'000'000; // a crash is what comes last, with its frames
     file.seek(std::max<qint64>(0, file.size() - end));
     const QByteArray text = file.readAll();
     const qsizetype at = text.lastIndexOf(QByteArray("\n") + crashLine);

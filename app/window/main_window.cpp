@@ -19,6 +19,7 @@
 #include <QCloseEvent>
 #include <QFileInfo>
 #include <QGridLayout>
+#include <QLocale>
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
@@ -214,7 +215,9 @@ void MainWindow::connectLog() {
 void MainWindow::showCrash(const QString& project, const QString& log) {
   const bool isThere = !project.isEmpty() && QFileInfo::exists(project);
   Notice notice = {
-      .text = tr("Espalier crashed when it was last used. What happened is in %1").arg(log),
+      .text =
+          tr("Espalier crashed on %1. What happened is in %2")
+              .arg(QLocale().toString(QFileInfo(log).lastModified(), QLocale::ShortFormat), log),
       .isError = true};
   if (isThere) {
     notice.text +=

@@ -8,12 +8,16 @@
 #include "core/evaluate/match/comparable.h"
 #include "core/evaluate/match/tolerance_curve.h"
 #include "core/project/project.h"
+#include "core/skeleton/bounds.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
+#include <set>
+#include <system_error>
 
 namespace espalier {
 namespace {
@@ -60,16 +64,49 @@ nlohmann::ordered_json numbersOf(const ConsensusFlags& flags, const Consensus& c
           {"places", places}};
 }
 
+void requireDifferentFiles(const std::vector<std::string>& files) {
+  std::set<std::filesystem::path> seen;
+  for (const std::string& file : files) {
+    std::error_code unresolved;
+    const std::filesystem::path whole = std::filesystem::weakly_canonical(file, unresolved);
+    if (!seen.insert(unresolved ? std::filesystem::path(file) : whole).second)
+      throw Error(file + ": is named twice: name each plant once");
+  }
+}
+
+constexpr const char* checkFrames =
+    ": check that all are in one frame and unit, or give a larger --distance";
+
+/// Wood of one plant in another unit lies within the distance of the larger, all of it.
+void requireOneUnit(const std::vector<std::string>& files, const std::vector<Skeleton>& plants) {
+  constexpr double most = 9; // times as large: the units of lengths are ten times apart at least
+  const auto extent = [&](std::size_t i) { return bounds(plants[i]).diagonal().norm(); };
+  for (std::size_t i = 1; i < plants.size(); ++i)
+    if (extent(i) > most * extent(0) || extent(0) > most * extent(i))
+      throw Error(files[i] + ": is " + (extent(i) > extent(0) ? "far larger" : "far smaller") +
+                  " than " + files[0] + checkFrames);
+}
+
+void requireShares(const std::vector<std::string>& files, const Consensus& consensus) {
+  constexpr double least = 0.01; // of the length
+  const auto found = std::ranges::find_if(consensus.shares, [](double s) { return s < least; });
+  if (found != consensus.shares.end())
+    throw Error(files[static_cast<std::size_t>(found - consensus.shares.begin())] +
+                ": the others have none of its wood within the distance" + checkFrames);
+}
+
 void writeConsensus(const ConsensusFlags& flags) {
   if (flags.plants.size() < 2)
     throw WrongUsage("a consensus is of two plants at least: name another file");
   requireApart({flags.output, flags.json});
   requireOutput(flags.output, Content::structure, flags.plants);
   requireOutput(flags.json, flags.plants);
+  requireDifferentFiles(flags.plants);
   const TerminalProgress terminal;
   std::vector<Skeleton> plants;
   for (const std::string& file : flags.plants)
     plants.push_back(plantIn(file));
+  requireOneUnit(flags.plants, plants);
   double tolerance = flags.distance;
   if (tolerance == 0)
     for (const Skeleton& plant : plants)
@@ -77,10 +114,7 @@ void writeConsensus(const ConsensusFlags& flags) {
   const Consensus consensus = consensusOf(plants, tolerance, terminal.progress());
   terminal.check();
   terminal.clear();
-  if (consensus.agreed.isEmpty())
-    throw Error(flags.plants.front() +
-                ": the others have none of its wood within the distance: check that all are in one "
-                "frame and unit, or give a larger --distance");
+  requireShares(flags.plants, consensus);
   for (std::size_t i = 0; i < flags.plants.size(); ++i)
     printLine(flags.plants[i] + ": agreed on " +
               std::to_string(std::lround(100 * consensus.shares[i])) + " % of its length");

@@ -1,9 +1,15 @@
 #include "core/evaluate/differences/consensus.h"
 
+#include "core/evaluate/differences/near_edges.h"
 #include "core/evaluate/match/comparable.h"
+#include "core/skeleton/edge_index.h"
+#include "core/skeleton/length_along.h"
 
+#include <algorithm>
 #include <cassert>
+#include <functional>
 #include <optional>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -24,6 +30,37 @@ void restrictTo(Agreement& agreement, const Differences& found) {
     for (const NodeId id : part.nodes) // what leads there may be of none of the others
       if (found.standsOn[indexOf(id)].empty()) agreement.isThere[indexOf(id)] = false;
   }
+}
+
+/// Wood that both have, each from its other end up: their roots are elsewhere, or a branch is
+/// attached by its apex. Turns that are shorter than three tolerances do not count: whose wood runs
+/// there is not known better.
+std::vector<DifferingPart> turnedParts(const Skeleton& first, const Skeleton& other,
+                                       const Differences& found) {
+  const EdgeIndex edges(other);
+  std::vector<bool> isTurned(first.idEnd(), false);
+  for (const NodeId id : first.ids()) {
+    const auto parent = first[id].parent;
+    if (!parent || found.ofResult[indexOf(id)] == Difference::invented) continue;
+    const Eigen::Vector3d& start = first[*parent].position;
+    const Eigen::Vector3d& end = first[id].position;
+    const std::optional<NearestPlace> near = edges.nearest((start + end) / 2);
+    const auto below = near ? other[near->node].parent : std::nullopt;
+    if (below)
+      isTurned[indexOf(id)] =
+          (end - start).dot(other[near->node].position - other[*below].position) < 0;
+  }
+  std::vector<DifferingPart> parts;
+  for (std::vector<NodeId>& nodes : stretches(first, isTurned, true)) {
+    DifferingPart part{
+        .kind = Difference::wronglyAttached, .nodes = std::move(nodes), .at = {}, .attached = {}};
+    part.attached = part.nodes.front();
+    part.at = first[part.attached].position;
+    for (const NodeId id : part.nodes)
+      part.length += edgeLength(first, id);
+    if (part.length > 3 * found.tolerance) parts.push_back(std::move(part));
+  }
+  return parts;
 }
 
 Skeleton agreedWood(const Skeleton& first, const Agreement& agreement) {
@@ -74,8 +111,15 @@ Consensus consensusOf(std::span<const Skeleton> plants, double tolerance,
   for (std::size_t i = 1; i < plants.size(); ++i) {
     const Differences found = differences(first, plants[i], tolerance, next());
     restrictTo(agreement, found);
-    for (const DifferingPart& part : found.parts)
-      consensus.places.push_back({.with = i, .part = part});
+    std::vector<DifferingPart> parts = found.parts;
+    for (DifferingPart& part : turnedParts(first, plants[i], found)) {
+      for (const NodeId id : part.nodes)
+        agreement.isThere[indexOf(id)] = false;
+      parts.push_back(std::move(part));
+    }
+    std::ranges::stable_sort(parts, std::greater(), &DifferingPart::length);
+    for (DifferingPart& part : parts)
+      consensus.places.push_back({.with = i, .part = std::move(part)});
   }
   consensus.agreed = agreedWood(first, agreement);
   for (const Skeleton& plant : plants)

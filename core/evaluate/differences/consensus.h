@@ -25,8 +25,10 @@ struct Consensus {
 };
 
 /// Finds on what wood several skeletons of one plant agree, as differences() sees them: that of the
-/// first which all others have, within the tolerance, on the same path from the root. Which one is
-/// first decides where it lies, and nothing else but for what lies at the edge of the tolerance.
+/// first which all others have, within the tolerance, on the same path from the root. Wood that
+/// another one has from its other end up, as where the roots are opposite, is wrongly attached.
+/// Which one is first decides where it lies, and nothing else but for what lies at the edge of the
+/// tolerance.
 ///
 /// @param plants    at least 2, in one frame: nothing is registered
 /// @param tolerance [L], > 0

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
 
@@ -56,6 +57,23 @@ TEST_F(ConsensusCommand, RefusesOnePlantAndPlantsApart) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.err, HasSubstr("check that all are in one frame and unit"));
   EXPECT_EQ(runProgram({"consensus", three_, two_, "-o", three_}).status, 1) << "it is read";
+  const Outcome twice = runProgram({"consensus", three_, two_, three_, "-o", file("out.mtg")});
+  EXPECT_EQ(twice.status, 1);
+  EXPECT_THAT(twice.err, HasSubstr("three.mtg: is named twice: name each plant once"));
+}
+
+TEST_F(ConsensusCommand, RefusesPlantsInDifferentUnitsInAnyOrder) {
+  Skeleton larger = test::fork(3);
+  for (const NodeId id : larger.ids())
+    larger.setPosition(id, 1000 * larger[id].position);
+  writeStructure(file("mm.mtg"), larger);
+  for (const auto& [first, second] :
+       {std::pair(three_, file("mm.mtg")), std::pair(file("mm.mtg"), three_)}) {
+    const Outcome outcome = runProgram({"consensus", first, second, "-o", file("out.mtg")});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("check that all are in one frame and unit"));
+    EXPECT_FALSE(std::filesystem::exists(file("out.mtg")));
+  }
 }
 
 } // namespace

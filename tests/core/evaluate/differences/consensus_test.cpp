@@ -74,6 +74,31 @@ TEST(Consensus, MakesWhatIsAttachedElsewhereATreeOfItsOwn) {
       << "trunk and shoot, without what leads there";
 }
 
+// The trunk of one stands on its top: each has all of its wood near the other.
+TEST(Consensus, LeavesOutWoodThatOneHasFromItsOtherEndUp) {
+  const auto [plant, trunk, branch] = test::trunkAndBranch();
+  Skeleton turned;
+  std::vector<NodeId> down; // from the top
+  for (int z = 10; z >= 0; --z)
+    down.push_back(turned.add({.position = {0, 0, double(z)},
+                               .radius = 0.3,
+                               .parent = z < 10 ? std::optional(down.back()) : std::nullopt}));
+  NodeId at = down[5];
+  for (int x = 1; x <= 4; ++x)
+    at = turned.add({.position = {double(x), 0, 5},
+                     .radius = 0.1,
+                     .parent = at,
+                     .edge = x > 1 ? EdgeType::successor : EdgeType::branching});
+  for (const auto& [first, second] : {std::pair(plant, turned), std::pair(turned, plant)}) {
+    const Consensus found = consensusOfAll({first, second});
+    ASSERT_FALSE(found.places.empty());
+    EXPECT_EQ(found.places[0].part.kind, Difference::wronglyAttached);
+    EXPECT_NEAR(found.places[0].part.length, 10, 1e-9) << "the trunk";
+    EXPECT_NEAR(totalLength(found.agreed), 4, 1e-9) << "the branch grows out in both";
+    EXPECT_NEAR(found.shares[0], 4.0 / 14, 0.02);
+  }
+}
+
 TEST(Consensus, KeepsPositionsAndRadiiOfTheFirst) {
   const Skeleton first = test::trunkAndBranch().plant;
   Skeleton second = first;

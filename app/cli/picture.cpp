@@ -70,23 +70,31 @@ std::shared_ptr<const PointCloud> pointsOf(const Project& project, const PointSe
   return asPlant(reference->isByFile ? sortedAsInFile(points.value, progress) : points.value);
 }
 
-void setProject(Scene& scene, const std::string& file, const Progress& progress) {
+/// @param hasPoints  whether they are drawn: else no scan is read
+void setProject(Scene& scene, const std::string& file, bool hasPoints, const Progress& progress) {
   const Project project = Project::open(file, Access::readOnly);
   const Imported<History> history = project.history();
   printNotes(history.notes);
-  if (auto cloud = pointsOf(project, history.value.leftOut, progress); cloud && !cloud->isEmpty())
+  if (!hasPoints && history.value.skeleton.isEmpty())
+    throw Error(file + ": has no skeleton to draw: draw its points");
+  if (auto cloud = hasPoints ? pointsOf(project, history.value.leftOut, progress) : nullptr;
+      cloud && !cloud->isEmpty())
     scene.setCloud(std::move(cloud));
   scene.setSkeleton(history.value.skeleton);
 }
 
 Scene sceneOf(const PictureFlags& flags, const Progress& progress) {
+  const auto isWanted = [&](const std::string& layer) {
+    return flags.layers.empty() ||
+           std::find(flags.layers.begin(), flags.layers.end(), layer) != flags.layers.end();
+  };
   Scene scene;
   bool hasStructure = false;
   for (const std::string& file : flags.files) {
     if (isProject(file)) {
       if (flags.files.size() > 1)
         throw Error(file + ": a project is drawn by itself: give it alone");
-      setProject(scene, file, progress);
+      setProject(scene, file, isWanted("points"), progress);
       continue;
     }
     if (formatOf(file).content == Content::points) {
@@ -102,10 +110,6 @@ Scene sceneOf(const PictureFlags& flags, const Progress& progress) {
       hasStructure = true;
     }
   }
-  const auto isWanted = [&](const std::string& layer) {
-    return flags.layers.empty() ||
-           std::find(flags.layers.begin(), flags.layers.end(), layer) != flags.layers.end();
-  };
   if (scene.cloud) requireColor(*scene.cloud, flags.color);
   scene.points.visible = isWanted("points");
   scene.skeletonVisible = isWanted("skeleton");
@@ -123,7 +127,7 @@ void requirePng(const std::string& path) {
 }
 
 void drawPicture(const PictureFlags& flags) {
-  requirePng(flags.output);
+  if (!flags.isBare) requirePng(flags.output); // a desktop names its thumbnails as it likes
   requireOutput(flags.output, flags.files);
   const Headless headless;
   const TerminalProgress terminal;
@@ -185,7 +189,8 @@ void addPicture(CLI::App& app) {
         ->capture_default_str();
   command->add_flag("--dark", flags->isDark, "On a dark background");
   command->add_flag("--radii", flags->showRadii, "Draw the skeleton as thick as the plant");
-  command->add_flag("--bare", flags->isBare, "Without scale bar, axes and colors explained");
+  command->add_flag("--bare", flags->isBare,
+                    "Without scale bar, axes and colors explained; the file may have any name");
   addUnit(*command, flags->unit, "Unit of lengths, for the scale bar");
   command->callback([flags] { drawPicture(*flags); });
   command->footer("Example:\n"

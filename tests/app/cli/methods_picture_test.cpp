@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <fstream>
 #include <gmock/gmock.h>
 
 namespace espalier {
@@ -12,6 +13,7 @@ namespace {
 
 using nlohmann::json;
 using test::namesIn;
+using test::Outcome;
 using test::runProgram;
 using test::Subcommands;
 using testing::ElementsAre;
@@ -98,6 +100,25 @@ TEST_F(Subcommands, PictureShowsThePlantOfAProject) {
   EXPECT_NE(picture("bare.png", {file("oak.espalier"), "--bare"}), drawn);
   EXPECT_THAT(runProgram({"picture", file("oak.espalier"), truth_, "-o", file("b.png")}).err,
               HasSubstr("a project is drawn by itself: give it alone"));
+}
+
+// As desktops ask for it: the name may be any, and no scan of gigabytes is read.
+TEST_F(Subcommands, PictureIsAThumbnailOfAProject) {
+  const std::string scan = file("scan.ply");
+  std::filesystem::copy_file(scan_, scan);
+  makeProject(file("oak.espalier"), scan, truth_);
+  std::ofstream(scan) << "no scan";
+  const Outcome outcome =
+      runProgram({"picture", file("oak.espalier"), "-o", file("thumbnail.tmp"), "--width", "64",
+                  "--height", "64", "--bare", "--layers", "skeleton"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, testing::Not(HasSubstr("scan"))) << "which was not looked for";
+  EXPECT_THAT(test::bytesOf(file("thumbnail.tmp")), HasSubstr("PNG"));
+  (void)Project::create(file("bare.espalier"), {});
+  EXPECT_THAT(runProgram({"picture", file("bare.espalier"), "-o", file("b"), "--bare", "--layers",
+                          "skeleton"})
+                  .err,
+              HasSubstr("has no skeleton to draw"));
 }
 
 TEST_F(Subcommands, PictureOfAProjectWithoutItsScanShowsTheWood) {

@@ -20,14 +20,19 @@
 namespace espalier {
 namespace {
 
-AboutDialog::About about() {
-  QFile license(":/LICENSE");
-  const bool isThere = license.open(QIODevice::ReadOnly);
+QString resource(const QString& name) {
+  QFile file(name);
+  const bool isThere = file.open(QIODevice::ReadOnly);
   Q_ASSERT(isThere);
+  return isThere ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+/// The license, and the notices of what is compiled in.
+AboutDialog::About about() {
   AboutDialog::About all = {.icon = programIcon(),
                             .version = QString::fromStdString(programVersion()),
                             .libraries = {},
-                            .license = isThere ? QString::fromUtf8(license.readAll()) : QString()};
+                            .license = resource(":/LICENSE") + '\n' + resource(":/NOTICES")};
   for (const Library& library : libraries())
     all.libraries.append({QString::fromStdString(library.name),
                           QString::fromStdString(library.version),

@@ -230,7 +230,8 @@ void MainWindow::makeViews() {
 void MainWindow::makeEvaluation() {
   const PanelDock::Parts window{*actions_, settings_, *this};
   auto& reference = parts_.make<ReferenceFlow>(
-      ReferenceFlow::Parts{document_, *view_, jobs_, *actions_, settings_, *this});
+      ReferenceFlow::Parts{document_, *view_, jobs_, *actions_, settings_, *this,
+                           [this] { return parts_.get<ProjectFlow>().scanReference(); }});
   parts_.make<VersionsFlow>(
       VersionsFlow::Parts{document_, parts_.get<ProjectFlow>(), reference, *actions_, *this});
   parts_.make<EvaluationFlow>(

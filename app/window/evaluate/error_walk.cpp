@@ -52,14 +52,20 @@ QString shortAcceptText(const std::optional<DifferingPart>& part) {
   return {};
 }
 
-QString stepText(const DifferingPart& part, const QString& length) {
+/// @param version  that is the reference; empty: it is another structure
+QString stepText(const DifferingPart& part, const QString& length, const QString& version) {
+  const bool isVersion = !version.isEmpty();
   switch (part.kind) {
   case Difference::missed:
-    return ErrorWalk::tr("Add %1 of the reference").arg(length);
+    return isVersion ? ErrorWalk::tr("Add %1 of %2").arg(length, version)
+                     : ErrorWalk::tr("Add %1 of the reference").arg(length);
   case Difference::invented:
-    return ErrorWalk::tr("Remove %1 that the reference lacks").arg(length);
+    return isVersion ? ErrorWalk::tr("Remove %1 that %2 lacks").arg(length, version)
+                     : ErrorWalk::tr("Remove %1 that the reference lacks").arg(length);
   case Difference::wronglyAttached:
-    return ErrorWalk::tr("Attach node %1 as the reference").arg(indexOf(part.attached));
+    return isVersion
+               ? ErrorWalk::tr("Attach node %1 as %2").arg(indexOf(part.attached)).arg(version)
+               : ErrorWalk::tr("Attach node %1 as the reference").arg(indexOf(part.attached));
   case Difference::matched:
     break;
   }
@@ -207,9 +213,13 @@ void ErrorWalk::accept() {
   parts_.jobs.requireIdle();
   if (parts_.editing.isPending()) parts_.editing.undo(); // leaves the gesture
   std::vector<NodeId> changed;
-  const QString text = stepText(part, formatLength(part.length, parts_.document.unit(), 3));
+  const QString version = parts_.version();
+  const QString text =
+      stepText(part, formatLength(part.length, parts_.document.unit(), 3), version);
+  const Copied copied = version.isEmpty() ? Copied::wood : Copied::all;
   parts_.document.edit(text, [&](SkeletonEditor& editor) {
-    changed = acceptReference(editor, evaluation_->differences, evaluation_->reference, part);
+    changed =
+        acceptReference(editor, evaluation_->differences, evaluation_->reference, part, copied);
   });
   std::erase_if(changed, [&](NodeId id) { return !parts_.document.skeleton().contains(id); });
   parts_.document.selection().set(std::move(changed));

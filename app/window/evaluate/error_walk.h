@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QString>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -32,6 +33,7 @@ public:
     JobSlot& jobs;
     ActionSet& actions;
     Editing& editing;
+    std::function<QString()> version; // that it is compared with; empty: with another structure
   };
   explicit ErrorWalk(const Parts& parts);
 

@@ -45,8 +45,9 @@ EvaluationFlow::EvaluationFlow(const Parts& parts)
        .help = tr("Writes which part stands for which, and what is removed and inserted, as CSV")},
       [this] { saveMapping(); });
   edits_->fillMenu(*editsMenu_);
-  errors_ = std::make_unique<ErrorWalk>(ErrorWalk::Parts{parts_.document, parts_.view, parts_.jobs,
-                                                         parts_.window.actions, parts_.editing});
+  errors_ = std::make_unique<ErrorWalk>(ErrorWalk::Parts{
+      parts_.document, parts_.view, parts_.jobs, parts_.window.actions, parts_.editing,
+      [this] { return parts_.reference.isVersion() ? parts_.reference.name() : QString(); }});
   report_ = std::make_unique<ReportFlow>(ReportFlow::Parts{parts_.document, parts_.jobs,
                                                            parts_.reference, parts_.window,
                                                            [this] { return optionsNow(); }});
@@ -142,7 +143,8 @@ void EvaluationFlow::setDark(bool isDark) {
 }
 
 std::string EvaluationFlow::text() const {
-  return textOf(EvaluationText{tolerance_, isLaid_, turns_, edits_->options(), errors_->ignored()});
+  return textOf(EvaluationText{tolerance_, isLaid_, turns_, edits_->options(), errors_->ignored(),
+                               ignoredOf_});
 }
 
 void EvaluationFlow::show(const std::string& text) {
@@ -161,6 +163,7 @@ void EvaluationFlow::take(const EvaluationText& chosen) {
   panel_->setTurns(turns_);
   edits_->set(chosen.edit);
   errors_->setIgnored(chosen.ignored);
+  ignoredOf_ = chosen.ignoredOf;
 }
 
 void EvaluationFlow::setOptions() {
@@ -260,8 +263,10 @@ void EvaluationFlow::takeReference() {
   const bool hasOne = parts_.reference.skeleton() != nullptr;
   letGoOfPlace();
   forget();
+  takeIgnored();
+  setOptions(); // where it lies is one of them
   panel_->setReference(hasOne ? parts_.reference.name() : QString());
-  panel_->setMovable(!parts_.reference.isVersion());
+  panel_->setMovable(!parts_.reference.liesInPlace());
   if (hasOne)
     panel_->setTolerance(tolerance_ > 0 ? tolerance_
                                         : usualTolerance(*parts_.reference.skeleton()));
@@ -271,6 +276,17 @@ void EvaluationFlow::takeReference() {
   report_->refresh();
   showTraits();
   later();
+}
+
+/// What was ignored against one reference says nothing of another.
+void EvaluationFlow::takeIgnored() {
+  const std::string key = parts_.reference.key().toStdString();
+  if (key == reference_) return;
+  if (!errors_->ignored().empty()) ignoredOf_[reference_] = errors_->ignored();
+  reference_ = key;
+  const auto before = ignoredOf_.extract(key);
+  errors_->setIgnored(before ? before.mapped() : std::vector<DifferingPart>());
+  emit changed();
 }
 
 /// They stand in the place of scores.

@@ -14,6 +14,7 @@
 
 #include <QTimer>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,7 +59,7 @@ public:
   [[nodiscard]] bool isUpToDate() const { return isFresh_; }
   /// How a result is compared with the reference, as chosen.
   [[nodiscard]] EvaluationOptions options() const {
-    return {.registers = isLaid_ && !parts_.reference.isVersion(),
+    return {.registers = isLaid_ && !parts_.reference.liesInPlace(),
             .turns = turns_,
             .up = parts_.document.up(),
             .motion = std::nullopt,
@@ -82,6 +83,7 @@ private:
   void connectPanel();
   void take(const EvaluationText& chosen); // of all that is chosen here
   void takeReference();
+  void takeIgnored(); // of the reference
   void showTraits();
   void letGoOfPlace(); // where the reference lies is found anew
   void takeEdit();
@@ -116,8 +118,10 @@ private:
   std::optional<Eigen::Isometry3d> motion_; // of the reference; none: to be found
   bool isEdited_ = false;                   // since then
   std::shared_ptr<const std::vector<double>>
-      coverages_;        // of the reference there; null: to be found
-  double tolerance_ = 0; // [L], as chosen; 0: by the rule
+      coverages_;         // of the reference there; null: to be found
+  double tolerance_ = 0;  // [L], as chosen; 0: by the rule
+  std::string reference_; // its key
+  std::map<std::string, std::vector<DifferingPart>> ignoredOf_; // of others before, by theirs
   bool isLaid_ = true;
   bool turns_ = true;
 };

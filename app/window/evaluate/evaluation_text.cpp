@@ -52,14 +52,28 @@ DifferingPart partIn(const QJsonObject& json) {
   return part;
 }
 
+std::vector<DifferingPart> partsIn(const QJsonValue& json) {
+  std::vector<DifferingPart> parts;
+  for (const auto& each : json.toArray())
+    parts.push_back(partIn(each.toObject()));
+  return parts;
+}
+
+QJsonArray jsonOf(const std::vector<DifferingPart>& parts) {
+  QJsonArray json;
+  for (const DifferingPart& part : parts)
+    json.append(QJsonObject{{"kind", QString::fromStdString(nameOf(part.kind))},
+                            {"at", QJsonArray{part.at.x(), part.at.y(), part.at.z()}}});
+  return json;
+}
+
 } // namespace
 
 std::string textOf(const EvaluationText& evaluation) {
   if (evaluation == EvaluationText()) return {};
-  QJsonArray ignored;
-  for (const DifferingPart& part : evaluation.ignored)
-    ignored.append(QJsonObject{{"kind", QString::fromStdString(nameOf(part.kind))},
-                               {"at", QJsonArray{part.at.x(), part.at.y(), part.at.z()}}});
+  QJsonObject ignoredOf;
+  for (const auto& [reference, parts] : evaluation.ignoredOf)
+    ignoredOf[QString::fromStdString(reference)] = jsonOf(parts);
   const EditOptions& edit = evaluation.edit;
   const QJsonObject json{{"tolerance", evaluation.tolerance},
                          {"laid", evaluation.isLaid},
@@ -67,7 +81,8 @@ std::string textOf(const EvaluationText& evaluation) {
                          {"edit_unit", nameIn(editUnitNames(), edit.unit)},
                          {"edit_cost", nameIn(editCostNames(), edit.cost)},
                          {"merge_paths", edit.mergesPaths},
-                         {"ignored", ignored}};
+                         {"ignored", jsonOf(evaluation.ignored)},
+                         {"ignored_of", ignoredOf}};
   return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
 }
 
@@ -84,8 +99,10 @@ EvaluationText evaluationFrom(const std::string& text) {
                               .turns = flagIn(document["turned"], true),
                               .edit = editIn(document)};
     if (evaluation.tolerance < 0) refuse();
-    for (const auto& each : document["ignored"].toArray())
-      evaluation.ignored.push_back(partIn(each.toObject()));
+    evaluation.ignored = partsIn(document["ignored"]);
+    const QJsonObject ignoredOf = document["ignored_of"].toObject();
+    for (const QString& reference : ignoredOf.keys())
+      evaluation.ignoredOf[reference.toStdString()] = partsIn(ignoredOf[reference]);
     return evaluation;
   });
 }

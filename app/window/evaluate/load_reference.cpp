@@ -3,7 +3,6 @@
 #include "app/window/files/load_files.h"
 #include "core/base/error.h"
 #include "core/io/formats.h"
-#include "core/project/project.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -25,6 +24,12 @@ Imported<Skeleton> readReference(const QString& path) {
                     .toStdString());
   Imported<Structure> structure = readStructure(file);
   return {std::move(structure.value.skeleton), std::move(structure.notes)};
+}
+
+std::optional<ScanReference> scanOfReference(const QString& path) {
+  const std::filesystem::path file = toPath(path);
+  if (!isProject(file)) return std::nullopt;
+  return Project::open(file, Access::readOnly).scan();
 }
 
 } // namespace espalier

@@ -59,15 +59,27 @@ void ReferenceFlow::addActions() {
                       .text = tr("Remove Reference"),
                       .help = tr("Puts the reference away; its file stays as it is"),
                       .menu = "file/reference"},
-                     [this] {
-                       const QString file = name();
-                       show({});
-                       emit noted(tr("%1 is no longer the reference").arg(file));
-                     });
+                     [this] { remove(); });
+}
+
+void ReferenceFlow::remove() {
+  const QString file = name();
+  if (before_.empty()) {
+    show({});
+    emit noted(tr("%1 is no longer the reference").arg(file));
+    return;
+  }
+  Reference back = std::move(before_.front());
+  set(std::move(back));
+  emit noted(tr("%1 is the reference again").arg(name()));
 }
 
 QString ReferenceFlow::name() const {
   return isVersion_ ? path_ : QFileInfo(path_).fileName();
+}
+
+QString ReferenceFlow::key() const {
+  return isVersion_ ? "version:" + path_ : path_;
 }
 
 void ReferenceFlow::choose() {
@@ -83,14 +95,17 @@ void ReferenceFlow::load(const QString& path) {
   const QString file = QFileInfo(path).fileName();
   parts_.jobs.start(
       tr("Reading %1").arg(file),
-      [path, file](const Progress& progress) {
+      [path, file, scan = parts_.scan()](const Progress& progress) {
         Imported<Skeleton> read = readReference(path);
         progress.update(0.9);
         requireComparable(read.value, file.toStdString());
-        return read;
+        const auto other = scan ? scanOfReference(path) : std::nullopt;
+        const bool isOfScan = other && other->hash == scan->hash && other->size == scan->size;
+        return std::pair(std::move(read), isOfScan);
       },
-      [this, path](Imported<Skeleton> read) {
-        set({.skeleton = std::move(read.value), .path = path});
+      [this, path](std::pair<Imported<Skeleton>, bool> done) {
+        auto& [read, isOfScan] = done;
+        set({.skeleton = std::move(read.value), .path = path, .isOfScan = isOfScan});
         QStringList notes = {tr("%1 is the reference now").arg(name())};
         for (const std::string& note : firstNotes(read.notes))
           notes.append(QString::fromStdString(note));
@@ -103,7 +118,12 @@ void ReferenceFlow::load(const QString& path) {
 void ReferenceFlow::takeVersion(Skeleton skeleton, const QString& name) {
   parts_.jobs.requireIdle();
   requireComparable(skeleton, name.toStdString());
-  set({.skeleton = std::move(skeleton), .path = name, .isVersion = true});
+  Reference version{.skeleton = std::move(skeleton), .path = name, .isVersion = true};
+  if (isVersion_)
+    version.before = before_;
+  else if (skeleton_)
+    version.before.push_back({.skeleton = *skeleton_, .path = path_, .isOfScan = isOfScan_});
+  set(std::move(version));
   emit noted(tr("The plant is compared with %1").arg(name));
   emit outdated();
   emit loaded();
@@ -123,6 +143,8 @@ void ReferenceFlow::set(Reference reference) {
   text_ = textOf(reference);
   path_ = reference.path;
   isVersion_ = reference.isVersion;
+  isOfScan_ = reference.isOfScan;
+  before_ = std::move(reference.before);
   skeleton_ = reference.skeleton.isEmpty()
                   ? nullptr
                   : std::make_shared<const Skeleton>(std::move(reference.skeleton));

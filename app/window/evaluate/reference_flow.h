@@ -2,13 +2,16 @@
 
 #include "app/window/evaluate/reference_text.h"
 #include "app/window/frame/window_part.h"
+#include "core/project/project.h"
 
 #include <Eigen/Geometry>
 #include <QStringList>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 class QMainWindow;
 class QSettings;
@@ -33,19 +36,23 @@ public:
     ActionSet& actions;
     QSettings& settings;
     QMainWindow& window;
+    std::function<std::optional<ScanReference>()> scan; // of the plant; none: it has none
   };
   explicit ReferenceFlow(const Parts& parts);
 
   /// Null: there is none.
   [[nodiscard]] const std::shared_ptr<const Skeleton>& skeleton() const { return skeleton_; }
-  [[nodiscard]] QString name() const;                          // of its file, for people
-  [[nodiscard]] bool isVersion() const { return isVersion_; }  // a state of the plant itself
+  [[nodiscard]] QString name() const;                         // of its file, for people
+  [[nodiscard]] bool isVersion() const { return isVersion_; } // a state of the plant itself
+  [[nodiscard]] bool liesInPlace() const { return isVersion_ || isOfScan_; } // in one frame
+  [[nodiscard]] QString key() const; // what it is known by, among all; empty: there is none
   [[nodiscard]] const Skeleton& laid() const { return laid_; } // as it is drawn, under its own ids
 
   /// Reads a structure, or the plant of a project, as a job.
   /// @throws Error if it is not one, or a job is running
   void load(const QString& path);
-  /// Takes a state of the plant itself in place of a structure.
+  /// Takes a state of the plant itself in place of a structure, which comes back when that is
+  /// removed.
   /// @param name  of the state, for people
   /// @throws Error if nothing can be compared with it, or a job is running
   void takeVersion(Skeleton skeleton, const QString& name);
@@ -64,6 +71,7 @@ private:
   void addActions();
   void choose();
   void show(const std::string& text);
+  void remove();
   void set(Reference reference);
   void askAbout(const QStringList& paths);
 
@@ -72,7 +80,9 @@ private:
   Skeleton laid_;
   QString path_; // or the name of the version
   bool isVersion_ = false;
-  std::string text_; // once made: projects ask for it often
+  bool isOfScan_ = false;
+  std::vector<Reference> before_; // what a version stands in the place of: none, or one
+  std::string text_;              // once made: projects ask for it often
 };
 
 } // namespace espalier

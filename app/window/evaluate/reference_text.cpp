@@ -27,11 +27,8 @@ Node nodeIn(const QJsonArray& json, const std::vector<NodeId>& before) {
   return node;
 }
 
-} // namespace
-
-std::string textOf(const Reference& reference) {
+QJsonObject jsonOf(const Reference& reference) {
   const Skeleton& skeleton = reference.skeleton;
-  if (skeleton.isEmpty()) return {};
   QJsonArray nodes;
   std::vector<qint64> numbers(skeleton.idEnd(), -1);
   for (const NodeId id : skeleton.ids()) { // parents before their children
@@ -43,7 +40,33 @@ std::string textOf(const Reference& reference) {
   }
   QJsonObject json{{"path", reference.path}, {"nodes", nodes}};
   if (reference.isVersion) json["version"] = true;
-  return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
+  if (reference.isOfScan) json["of_scan"] = true;
+  if (!reference.before.empty()) json["before"] = jsonOf(reference.before.front());
+  return json;
+}
+
+Reference referenceIn(const QJsonObject& json) {
+  const QJsonArray nodes = json["nodes"].toArray();
+  if (nodes.isEmpty()) refuse();
+  Reference reference{.skeleton = {},
+                      .path = json["path"].toString(),
+                      .isVersion = json["version"].toBool(),
+                      .isOfScan = json["of_scan"].toBool()};
+  std::vector<NodeId> ids;
+  for (const auto& each : nodes)
+    ids.push_back(reference.skeleton.add(nodeIn(each.toArray(), ids)));
+  if (reference.isVersion && json.contains("before")) {
+    reference.before.push_back(referenceIn(json["before"].toObject()));
+    if (reference.before.front().isVersion) refuse(); // which stands in the place of no other
+  }
+  return reference;
+}
+
+} // namespace
+
+std::string textOf(const Reference& reference) {
+  if (reference.skeleton.isEmpty()) return {};
+  return QJsonDocument(jsonOf(reference)).toJson(QJsonDocument::Compact).toStdString();
 }
 
 Reference referenceFrom(const std::string& text) {
@@ -51,16 +74,7 @@ Reference referenceFrom(const std::string& text) {
   const QString refusal = QCoreApplication::translate(
       "ReferenceText", "the reference in this project cannot be read: load it from its file");
   return readKept(refusal, [&] {
-    const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
-    const QJsonArray nodes = document["nodes"].toArray();
-    if (nodes.isEmpty()) refuse();
-    Reference reference{.skeleton = {},
-                        .path = document["path"].toString(),
-                        .isVersion = document["version"].toBool()};
-    std::vector<NodeId> ids;
-    for (const auto& each : nodes)
-      ids.push_back(reference.skeleton.add(nodeIn(each.toArray(), ids)));
-    return reference;
+    return referenceIn(QJsonDocument::fromJson(QByteArray::fromStdString(text)).object());
   });
 }
 

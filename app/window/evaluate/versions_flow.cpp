@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <ranges>
 #include <utility>
 
 namespace espalier {
@@ -148,9 +149,10 @@ void VersionsFlow::compare() {
 
 void VersionsFlow::fillRemoval(QMenu& menu) {
   menu.clear();
-  for (const PlantVersion& version : parts_.projects.versions()) {
+  for (const PlantVersion& version : std::views::reverse(parts_.projects.versions())) {
     const QString name = QString::fromStdString(version.name);
-    menu.addAction(name, this, [this, name] {
+    QString text = withMaker(name, version.author, version.time);
+    menu.addAction(text.replace('&', QStringLiteral("&&")), this, [this, name] {
       parts_.actions.guarded(
           [&] {
             remove(name);

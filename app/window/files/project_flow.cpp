@@ -155,7 +155,8 @@ Project& ProjectFlow::named() const {
 
 void ProjectFlow::addVersion(const PlantVersion& version) {
   named().addVersion(version);
-  versions_.push_back(version);
+  versions_.insert(std::ranges::upper_bound(versions_, version.time, {}, &PlantVersion::time),
+                   version);
 }
 
 void ProjectFlow::removeVersion(const std::string& name) {

@@ -100,6 +100,7 @@ public:
   void growScan(const QString& text, GrownScan grown);
   /// The scan of the document, for the project. None: it has none.
   void setScanReference(const std::optional<ScanReference>& scan);
+  [[nodiscard]] const std::optional<ScanReference>& scanReference() const { return scan_; }
 
   [[nodiscard]] const Sessions& sessions() const { return sessions_; }
   /// The newest that waits; if a plant is open, the newest of its scan or structure.

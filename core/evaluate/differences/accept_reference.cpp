@@ -1,7 +1,6 @@
 #include "core/evaluate/differences/accept_reference.h"
 
 #include "core/base/error.h"
-#include "core/evaluate/differences/graft.h"
 #include "core/skeleton/edits.h"
 
 #include <algorithm>
@@ -39,7 +38,8 @@ void joinToFoot(SkeletonEditor& editor, double tolerance, NodeId foot) {
 }
 
 std::vector<NodeId> copyMissed(SkeletonEditor& editor, const Differences& found,
-                               const Skeleton& reference, const DifferingPart& part) {
+                               const Skeleton& reference, const DifferingPart& part,
+                               Copied copied) {
   const Skeleton& skeleton = editor.skeleton();
   const std::size_t trees = skeleton.roots().size();
   const bool isFoot = !reference[part.nodes.front()].parent;
@@ -49,7 +49,7 @@ std::vector<NodeId> copyMissed(SkeletonEditor& editor, const Differences& found,
   else if (!isFoot) // it is attached to an edge so long that none of its nodes stands near
     host = nearestIn(skeleton, skeleton.roots(), part.place);
   if (host) host = nodeAt(editor, *host, part.place, found.tolerance);
-  Graft graft(editor, found, reference);
+  Graft graft(editor, found, reference, copied);
   for (const NodeId id : part.nodes)
     graft.copy(id, id == part.nodes.front() ? host : std::nullopt);
   for (const NodeId id : part.nodes)
@@ -70,7 +70,7 @@ std::vector<NodeId> inventedNodes(const Differences& found, const DifferingPart&
 
 /// Attaches what an invented part carries where the reference has it, if that has a place for it.
 void attachCarried(SkeletonEditor& editor, const Differences& found, const Skeleton& reference,
-                   const std::vector<NodeId>& invented) {
+                   const std::vector<NodeId>& invented, Copied copied) {
   const Skeleton& skeleton = editor.skeleton();
   std::vector<bool> isInvented(skeleton.idEnd(), false);
   for (const NodeId id : invented)
@@ -82,13 +82,14 @@ void attachCarried(SkeletonEditor& editor, const Differences& found, const Skele
   for (const NodeId id : invented)
     std::ranges::copy_if(skeleton.children(id), std::back_inserter(carried),
                          [&](NodeId child) { return !isLeft(child); });
-  Graft graft(editor, found, reference);
+  Graft graft(editor, found, reference, copied);
   for (const NodeId id : carried)
     if (const auto hold = graft.standing().below(id, isLeft)) graft.attachAlong(id, *hold);
 }
 
 std::vector<NodeId> removeInvented(SkeletonEditor& editor, const Differences& found,
-                                   const Skeleton& reference, const DifferingPart& part) {
+                                   const Skeleton& reference, const DifferingPart& part,
+                                   Copied copied) {
   const Skeleton& skeleton = editor.skeleton();
   requireThere(skeleton, part.nodes);
   const std::size_t trees = skeleton.roots().size();
@@ -98,7 +99,7 @@ std::vector<NodeId> removeInvented(SkeletonEditor& editor, const Differences& fo
     throw Error(
         "what is attached here is of the reference: accept what was missed beside it, or attach "
         "it elsewhere");
-  attachCarried(editor, found, reference, invented);
+  attachCarried(editor, found, reference, invented, copied);
   for (std::size_t i = invented.size(); i-- > 0;) // children first
     if (skeleton.contains(invented[i])) removeNode(editor, invented[i]);
   if (skeleton.roots().size() > std::max<std::size_t>(trees, 1))
@@ -108,12 +109,13 @@ std::vector<NodeId> removeInvented(SkeletonEditor& editor, const Differences& fo
 }
 
 std::vector<NodeId> attachRight(SkeletonEditor& editor, const Differences& found,
-                                const Skeleton& reference, const DifferingPart& part) {
+                                const Skeleton& reference, const DifferingPart& part,
+                                Copied copied) {
   requireThere(editor.skeleton(), {part.attached, *part.host});
   const Skeleton& skeleton = editor.skeleton();
   if (skeleton.isAncestor(part.attached, *part.host))
     throw Error("what should bear this is attached to it now: accept that part first");
-  Graft graft(editor, found, reference);
+  Graft graft(editor, found, reference, copied);
   Hold right{.host = part.host, .place = part.place, .path = {}, .edge = part.edge};
   const auto along = graft.standing().below(part.attached, [](NodeId) { return false; });
   if (along && along->host && !along->path.empty()) right = *along;
@@ -124,14 +126,15 @@ std::vector<NodeId> attachRight(SkeletonEditor& editor, const Differences& found
 } // namespace
 
 std::vector<NodeId> acceptReference(SkeletonEditor& editor, const Differences& found,
-                                    const Skeleton& reference, const DifferingPart& part) {
+                                    const Skeleton& reference, const DifferingPart& part,
+                                    Copied copied) {
   switch (part.kind) {
   case Difference::missed:
-    return copyMissed(editor, found, reference, part);
+    return copyMissed(editor, found, reference, part, copied);
   case Difference::invented:
-    return removeInvented(editor, found, reference, part);
+    return removeInvented(editor, found, reference, part, copied);
   case Difference::wronglyAttached:
-    return attachRight(editor, found, reference, part);
+    return attachRight(editor, found, reference, part, copied);
   case Difference::matched:
     break;
   }

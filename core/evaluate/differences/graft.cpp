@@ -64,8 +64,9 @@ NodeId nearestIn(const Skeleton& skeleton, const std::vector<NodeId>& roots,
   return best.node;
 }
 
-Graft::Graft(SkeletonEditor& editor, const Differences& found, const Skeleton& reference)
-    : editor_(editor), found_(found), reference_(reference),
+Graft::Graft(SkeletonEditor& editor, const Differences& found, const Skeleton& reference,
+             Copied copied)
+    : editor_(editor), found_(found), reference_(reference), copied_(copied),
       standing_(editor.skeleton(), found, reference), copies_(reference.idEnd()) {}
 
 bool Graft::carries(NodeId id, std::optional<NodeId> other) const {
@@ -91,6 +92,19 @@ void Graft::attach(NodeId id, NodeId onto, EdgeType edge) {
   removeDeadEnd(before);
 }
 
+void Graft::add(NodeId id, std::optional<NodeId> host) {
+  const Node& node = reference_[id];
+  Node copy = node;
+  if (copied_ == Copied::wood) copy = {.position = node.position, .radius = node.radius};
+  copy.parent = host;
+  copy.edge = EdgeType::branching;
+  added_.push_back(editor_.add(copy)); // to be looked at again, where it is now
+  if (!copy.review.comment.empty())
+    editor_.setReview(added_.back(), {.comment = copy.review.comment});
+  setType(editor_, added_.back(), node.edge);
+  copies_[indexOf(id)] = added_.back();
+}
+
 void Graft::copy(NodeId id, std::optional<NodeId> host) {
   const Node& node = reference_[id];
   if (!host && node.parent) host = copies_[indexOf(*node.parent)];
@@ -101,12 +115,7 @@ void Graft::copy(NodeId id, std::optional<NodeId> host) {
     copies_[indexOf(id)] = there;
     return;
   }
-  added_.push_back(editor_.add({.position = node.position,
-                                .radius = node.radius,
-                                .parent = host,
-                                .edge = EdgeType::branching}));
-  setType(editor_, added_.back(), node.edge);
-  copies_[indexOf(id)] = added_.back();
+  add(id, host);
 }
 
 void Graft::goOnAbove(NodeId id) {
@@ -122,14 +131,7 @@ void Graft::attachAlong(NodeId id, const Hold& hold) {
   std::optional<NodeId> onto;
   if (hold.host) onto = nodeAt(editor_, *hold.host, hold.place, found_.tolerance, id);
   for (const NodeId missed : hold.path) {
-    if (!copies_[indexOf(missed)]) {
-      added_.push_back(editor_.add({.position = reference_[missed].position,
-                                    .radius = reference_[missed].radius,
-                                    .parent = onto,
-                                    .edge = EdgeType::branching}));
-      setType(editor_, added_.back(), reference_[missed].edge);
-      copies_[indexOf(missed)] = added_.back();
-    }
+    if (!copies_[indexOf(missed)]) add(missed, onto);
     onto = copies_[indexOf(missed)];
   }
   if (onto) attach(id, *onto, hold.edge);

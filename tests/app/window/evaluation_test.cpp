@@ -351,6 +351,24 @@ TEST_F(EvaluationWindowTest, IgnoredErrorsLeaveTheListAndAreKeptInTheProject) {
   EXPECT_EQ(errors(), "2 errors");
 }
 
+TEST_F(EvaluationWindowTest, WhatIsIgnoredAgainstOneReferenceIsShownAgainstAnother) {
+  compare([](SkeletonEditor& editor) { removeSubtree(editor, shoot(2)); });
+  ASSERT_TRUE(waitForErrors(1));
+  const QString file = saveProject("plant.espalier");
+  key(Qt::Key_F3);
+  key(Qt::Key_F3, Qt::ControlModifier);
+  EXPECT_EQ(errors(), "0 errors");
+  load(write("second.mtg", plant()));
+  EXPECT_TRUE(waitForErrors(1)) << "nobody has ignored it";
+  window().close();
+  restart();
+  open({file});
+  ASSERT_TRUE(waitForScores());
+  EXPECT_TRUE(waitForErrors(1));
+  load(path("expert.mtg"));
+  EXPECT_TRUE(waitForErrors(0)) << "the project knows what was ignored";
+}
+
 TEST_F(EvaluationWindowTest, IsWrittenByAWindowThatGoesAtOnce) {
   compare([](SkeletonEditor& editor) { removeSubtree(editor, shoot(2)); });
   ASSERT_TRUE(waitForErrors(1));
@@ -369,7 +387,9 @@ TEST(EvaluationText, ComesBackAsItWas) {
       .isLaid = false,
       .turns = false,
       .edit = {.unit = EditUnit::axis, .cost = EditCost::shape, .mergesPaths = true},
-      .ignored = {{.kind = Difference::invented, .nodes = {}, .at = {1, 2.5, -3}}}};
+      .ignored = {{.kind = Difference::invented, .nodes = {}, .at = {1, 2.5, -3}}},
+      .ignoredOf = {
+          {"/home/ä/expert.mtg", {{.kind = Difference::missed, .nodes = {}, .at = {0, 0, 7}}}}}};
   EXPECT_EQ(evaluationFrom(textOf(text)), text);
   const EvaluationText before = evaluationFrom(R"({"tolerance": 0.25, "laid": false})");
   EXPECT_TRUE(before.turns) << "of a project that was written before there were turns";

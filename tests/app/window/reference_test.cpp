@@ -142,6 +142,11 @@ TEST(ReferenceText, ComesBackAsItWas) {
   EXPECT_EQ(referenceFrom(textOf(reference)), reference);
   const Reference version{.skeleton = plant, .path = "before pruning", .isVersion = true};
   EXPECT_EQ(referenceFrom(textOf(version)), version);
+  const Reference inPlace{.skeleton = plant,
+                          .path = "before pruning",
+                          .isVersion = true,
+                          .before = {{.skeleton = plant, .path = "b.espalier", .isOfScan = true}}};
+  EXPECT_EQ(referenceFrom(textOf(inPlace)), inPlace);
   EXPECT_EQ(textOf(Reference{}), "");
   EXPECT_EQ(referenceFrom(""), Reference{});
 }

@@ -79,6 +79,46 @@ TEST_F(VersionsWindowTest, GivesBackAPieceOfANamedStateAsOneStep) {
   EXPECT_EQ(document().skeleton().size(), 4U);
 }
 
+TEST_F(VersionsWindowTest, GivesBackWhatTheStateSaysOfThePiece) {
+  open({writeFork("fork.mtg")});
+  saveProject("fork.espalier");
+  const NodeId shoot = nodeAt({1, 0, 2});
+  document().edit("Comment", [=](SkeletonEditor& editor) {
+    editor.setReview(
+        shoot, {.state = ReviewState::reviewed, .comment = "a dead twig", .reviewer = "Anna"});
+  });
+  name("before pruning");
+  removeShoot();
+  (void)compareWith("before pruning");
+  ASSERT_TRUE(waitUntilCompared());
+  key(Qt::Key_F3);
+  key(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_EQ(document().skeleton()[nodeAt({1, 0, 2})].review,
+            (ReviewMark{.comment = "a dead twig"}));
+  EXPECT_TRUE(document().undoStack().undoText().endsWith("of before pruning"))
+      << document().undoStack().undoText().toStdString();
+}
+
+TEST_F(VersionsWindowTest, GiveTheReferenceBackThatTheyStoodInThePlaceOf) {
+  const QString expert = writeFork("expert.mtg");
+  open({writeFork("fork.mtg")});
+  const QString file = saveProject("fork.espalier");
+  name("first");
+  removeShoot();
+  answer(chooseFile(expert), [this] { action("load_reference").trigger(); });
+  waitForJob();
+  (void)compareWith("first");
+  (void)compareWith("what was opened");
+  ASSERT_TRUE(reference().isVersion());
+  openAnew(file);
+  ASSERT_TRUE(reference().isVersion());
+  action("remove_reference").trigger();
+  EXPECT_EQ(reference().name(), "expert.mtg");
+  EXPECT_FALSE(reference().isVersion());
+  action("remove_reference").trigger();
+  EXPECT_EQ(reference().skeleton(), nullptr);
+}
+
 TEST_F(VersionsWindowTest, ComparesWhereBothLie) {
   open({writeFork("fork.mtg")});
   saveProject("fork.espalier");
@@ -139,7 +179,7 @@ TEST_F(VersionsWindowTest, AreRemovedByTheMenuAndKeptAgain) {
   auto& menu = find<QMenu>("remove_version");
   emit menu.aboutToShow();
   ASSERT_EQ(menu.actions().size(), 1);
-  EXPECT_EQ(menu.actions().front()->text(), "first");
+  EXPECT_TRUE(menu.actions().front()->text().startsWith("first · "));
   menu.actions().front()->trigger();
   const auto versions = [&] {
     return Project::open(toPath(file), Access::readOnly).versions().value.size();
@@ -147,6 +187,26 @@ TEST_F(VersionsWindowTest, AreRemovedByTheMenuAndKeptAgain) {
   EXPECT_EQ(versions(), 0U);
   clickButton("banner_action");
   EXPECT_EQ(versions(), 1U);
+}
+
+TEST_F(VersionsWindowTest, AreListedForRemovalWithTheNewestFirst) {
+  open({writeFork("fork.mtg")});
+  saveProject("fork.espalier");
+  name("stem & crown");
+  QTest::qWait(2); // [ms], which is how exactly they know their time
+  name("last");
+  auto& menu = find<QMenu>("remove_version");
+  const auto texts = [&] {
+    emit menu.aboutToShow();
+    QStringList names;
+    for (const QAction* each : menu.actions())
+      names.append(each->text().section(" · ", 0, 0));
+    return names;
+  };
+  EXPECT_EQ(texts(), QStringList({"last", "stem && crown"}));
+  menu.actions().back()->trigger();
+  clickButton("banner_action");
+  EXPECT_EQ(texts(), QStringList({"last", "stem && crown"})) << "where it was";
 }
 
 TEST_F(VersionsWindowTest, RefusesANameThatIsThere) {

@@ -38,6 +38,36 @@ TEST(AcceptReference, CopiesAMissedBranchOntoItsNode) {
   EXPECT_EQ(test::canonical(accepted(result, plant)), test::canonical(plant));
 }
 
+TEST(AcceptReference, CopiesAllThatAStateOfThePlantItselfSaysOfItsNodes) {
+  auto [plant, trunk, branch] = test::trunkAndBranch();
+  const RadiusOrigin origin{.source = RadiusSource::byHand};
+  plant.setReview(branch[1],
+                  {.state = ReviewState::reviewed, .comment = "a dead twig", .reviewer = "Anna"});
+  plant.setRadius(branch[2], 0.05, origin);
+  plant.setMarked(branch[2], true);
+  plant.setEntities(branch[1],
+                    {{.scale = 3, .symbol = "N", .index = {}, .values = {{"bark", "red"}}}});
+  const Skeleton result = test::edited(
+      plant, [first = branch[0]](SkeletonEditor& editor) { removeSubtree(editor, first); });
+  const Differences found = differences(result, plant, closeBy);
+  const auto copies = [&](Copied copied) {
+    std::vector<NodeId> added;
+    const Skeleton made = test::edited(result, [&](SkeletonEditor& editor) {
+      added = acceptReference(editor, found, plant, found.parts.front(), copied);
+    });
+    return std::pair(made[added.at(1)], made[added.at(2)]);
+  };
+  const auto [second, third] = copies(Copied::all);
+  EXPECT_EQ(second.entities, plant[branch[1]].entities);
+  EXPECT_EQ(second.review, (ReviewMark{.comment = "a dead twig"})) << "it is to be looked at again";
+  EXPECT_EQ(third.origin, origin);
+  EXPECT_TRUE(third.isMarked);
+  const auto [wood, more] = copies(Copied::wood);
+  EXPECT_TRUE(wood.entities.empty());
+  EXPECT_EQ(wood.review, ReviewMark());
+  EXPECT_FALSE(more.isMarked);
+}
+
 TEST(AcceptReference, PutsANodeWhereABranchLeavesAnEdge) {
   const auto [plant, trunk, branch] = test::trunkAndBranch();
   Skeleton result;

@@ -222,7 +222,7 @@ void MainWindow::makeViews() {
   parts_.make<HistoryFlow>(HistoryFlow::Parts{document_, editing, window});
   parts_.make<NodeTableFlow>(NodeTableFlow::Parts{document_, editing, window});
   parts_.make<WorklistFlow>(
-      WorklistFlow::Parts{document_, queue_, window,
+      WorklistFlow::Parts{document_, jobs_, window,
                           [this](const QString& file) { parts_.get<FileFlow>().openPlant(file); },
                           [this](const QString& file) { parts_.get<ReferenceFlow>().load(file); }});
 }

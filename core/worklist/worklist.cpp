@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/open_for_reading.h"
+#include "core/base/printable.h"
 #include "core/base/text.h"
 #include "core/io/csv.h"
 #include "core/io/formats.h"
@@ -34,18 +35,34 @@ bool isScanFile(const fs::path& path) {
   }
 }
 
+/// What an entry of a folder stands for: that which a link leads to, unless its name says less.
+fs::path fileOf(const fs::path& entry) {
+  const fs::path whole = wholePath(entry);
+  const bool isAsGood = isProjectName(entry) ? isProjectName(whole) : isScanFile(whole);
+  return isAsGood ? whole : entry;
+}
+
 std::vector<fs::path> filesIn(const fs::path& folder) {
   std::error_code failed;
   std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed))
+  fs::directory_iterator entry(folder, failed);
+  for (; !failed && entry != fs::directory_iterator(); entry.increment(failed))
     if (std::error_code ignored;
-        entry.is_regular_file(ignored) && !entry.path().filename().string().starts_with('.'))
-      files.push_back(entry.path());
+        entry->is_regular_file(ignored) && !entry->path().filename().string().starts_with('.'))
+      files.push_back(entry->is_symlink(ignored) ? fileOf(entry->path()) : entry->path());
   if (failed)
     throw Error(folder.string() + ": cannot be read: " + failed.message() +
                 ": choose another folder");
   std::ranges::sort(files);
+  const auto [again, end] = std::ranges::unique(files);
+  files.erase(again, end);
   return files;
+}
+
+/// Empty: it is good.
+std::string problemOfName(const fs::path& file) {
+  return isUtf8(file.string()) ? std::string()
+                               : file.string() + ": its name is no UTF-8: rename it";
 }
 
 /// Mostly a table or a note, though points can be written so.
@@ -59,12 +76,26 @@ Worklist worklistOfFolder(const fs::path& folder) {
   for (const fs::path& file : filesIn(folder)) {
     const bool isListed = isProjectName(file) || (!isPlainText(file) && isScanFile(file));
     if (isProjectName(file)) list.projects.push_back(file);
-    if (isListed) list.lines.push_back({.file = file});
+    if (isListed) list.lines.push_back({.file = file, .problem = problemOfName(file)});
   }
   if (list.lines.empty())
     throw Error(folder.string() + ": holds no project and no scan: choose another folder, or name "
                                   "the files in a table");
   return list;
+}
+
+constexpr std::size_t mostBytes = 200; // of a field: it is shown on one line
+
+/// The beginning of a long text, cut between its letters.
+std::string shortened(const std::string& text) {
+  if (text.size() <= mostBytes) return text;
+  std::size_t end = mostBytes;
+  const auto isWithin = [&](std::size_t at) {
+    return (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
+  };
+  while (end > 0 && isWithin(end))
+    --end;
+  return text.substr(0, end) + "…";
 }
 
 /// @param names  of files so far; that of this line is added
@@ -74,13 +105,18 @@ WorklistLine lineOf(const CsvTable& table, const CsvTable::Row& row, const fs::p
     const std::optional<std::size_t> column = table.column(name);
     return column ? row.fields[*column] : std::string();
   };
-  WorklistLine line{.annotator = field("annotator"), .second = field("second annotator")};
+  WorklistLine line{.annotator = shortened(field("annotator")),
+                    .second = shortened(field("second annotator"))};
   const auto fail = [&](const std::string& problem) {
     line.problem = place(file.filename().string(), row.line) + problem;
     return line;
   };
   const std::string name = field("file");
   if (name.empty()) return fail("no file is named: write a project or a scan");
+  for (const char* column : {"annotator", "second annotator"})
+    if (field(column).size() > mostBytes)
+      return fail("the " + std::string(column) + " has over " + std::to_string(mostBytes) +
+                  " bytes: write a shorter name");
   const fs::path path = wholePath(file.parent_path() / name);
   std::error_code isMissing;
   if (!fs::is_regular_file(path, isMissing))
@@ -88,6 +124,7 @@ WorklistLine lineOf(const CsvTable& table, const CsvTable::Row& row, const fs::p
   if (!isProjectName(path) && !isScanFile(path))
     return fail(inQuotes(name) + " is neither a project nor a scan: name one of these");
   if (!names.insert(path).second) return fail(inQuotes(name) + " came before: take the line out");
+  if (!isUtf8(path.string())) return fail(inQuotes(name) + " is no UTF-8: rename the file");
   line.file = path;
   return line;
 }
@@ -103,14 +140,14 @@ Worklist worklistOfTable(const fs::path& file) {
     const auto isKnown = [&](std::string_view name) { return table.column(name) == i; };
     if (isKnown("file") || isKnown("annotator") || isKnown("second annotator")) continue;
     others.push_back(i);
-    list.others.push_back(table.names[i]);
+    list.others.push_back(shortened(table.names[i]));
   }
   std::set<fs::path> names;
   std::set<fs::path> folders;
   for (const CsvTable::Row& row : table.rows) {
     WorklistLine line = lineOf(table, row, file, names);
     for (const std::size_t i : others)
-      line.others.push_back(row.fields[i]);
+      line.others.push_back(shortened(row.fields[i]));
     if (!line.file.empty()) folders.insert(line.file.parent_path());
     list.lines.push_back(std::move(line));
   }
@@ -119,6 +156,11 @@ Worklist worklistOfTable(const fs::path& file) {
   for (const fs::path& folder : folders)
     for (const fs::path& each : filesIn(folder))
       if (isProjectName(each)) list.projects.push_back(each);
+  for (const WorklistLine& line : list.lines)
+    if (isProjectName(line.file)) list.projects.push_back(line.file); // it may be hidden there
+  std::ranges::sort(list.projects);
+  const auto [again, end] = std::ranges::unique(list.projects);
+  list.projects.erase(again, end);
   return list;
 }
 
@@ -129,13 +171,28 @@ const WorkState* stateIn(const KnownWorks& known, const fs::path& project) {
   return found != known.end() && found->second.state ? &*found->second.state : nullptr;
 }
 
-bool isOfScan(const WorkState& state, const fs::path& scan) {
-  if (!state.scan) return false;
-  if (state.scan->path == scan) return true;
-  std::error_code isMissing; // else it may have been moved along with its project
-  return state.scan->path.filename() == scan.filename() &&
-         fs::file_size(scan, isMissing) == state.scan->size && !isMissing;
+enum class Match : std::uint8_t { no, yes, byContent }; // by a hash that is not known yet
+
+Match matchOf(const ScanReference& reference, const fs::path& scan, const KnownWorks& known) {
+  if (reference.path == scan) return Match::yes;
+  std::error_code failed; // else it may have been moved along with its project
+  if (reference.path.filename() != scan.filename() ||
+      fs::file_size(scan, failed) != reference.size || failed)
+    return Match::no;
+  if (fs::exists(reference.path, failed))
+    return fs::equivalent(reference.path, scan, failed) ? Match::yes : Match::no;
+  const auto found = known.find(scan);
+  if (found != known.end() && !found->second.problem.empty()) return Match::no;
+  if (found == known.end() || !found->second.hash) return Match::byContent;
+  return *found->second.hash == reference.hash ? Match::yes : Match::no;
 }
+
+/// The projects of a scan.
+struct ProjectsOfScan {
+  std::vector<fs::path> found;
+  bool isKnown = true;    // false: there may be more
+  bool needsHash = false; // of the scan, to know
+};
 
 /// The projects of a list by their scans.
 class ProjectsByScan {
@@ -146,29 +203,54 @@ public:
       isAllRead_ = isAllRead_ && known.contains(project);
       if (!state || !state->scan) continue;
       byName_[state->scan->path.filename()].push_back(project);
-      byContent_[{state->scan->hash, state->scan->size}].push_back(project);
+      OfContent& same = byContent_[{state->scan->hash, state->scan->size}];
+      std::vector<fs::path>& theirs = same.byAnnotator[state->annotator];
+      if (theirs.empty() && !state->annotator.empty()) same.firsts.push_back(project);
+      theirs.push_back(project);
     }
   }
 
   [[nodiscard]] const KnownWorks& known() const { return known_; }
   [[nodiscard]] bool isAllRead() const { return isAllRead_; }
-  [[nodiscard]] std::vector<fs::path> of(const fs::path& scan) const {
+  [[nodiscard]] ProjectsOfScan of(const fs::path& scan) const {
+    ProjectsOfScan projects{.found = {}, .isKnown = isAllRead_};
     const auto named = byName_.find(scan.filename());
-    if (named == byName_.end()) return {};
-    std::vector<fs::path> found;
-    for (const fs::path& project : named->second)
-      if (isOfScan(*stateIn(known_, project), scan)) found.push_back(project);
-    return found;
+    if (named == byName_.end()) return projects;
+    for (const fs::path& project : named->second) {
+      const Match match = matchOf(*stateIn(known_, project)->scan, scan, known_);
+      if (match == Match::yes) projects.found.push_back(project);
+      projects.needsHash = projects.needsHash || match == Match::byContent;
+    }
+    projects.isKnown = isAllRead_ && !projects.needsHash;
+    return projects;
   }
-  [[nodiscard]] const std::vector<fs::path>& ofSame(const ScanReference& scan) const {
-    return byContent_.at({scan.hash, scan.size});
+  /// Another project of the scan of this one: by that annotator, or, if empty, by the first who is
+  /// another. Empty: there is none.
+  [[nodiscard]] fs::path second(const fs::path& project, const WorkState& state,
+                                const std::string& annotator) const {
+    const auto same = byContent_.find({state.scan->hash, state.scan->size});
+    if (same == byContent_.end()) return {};
+    const auto firstOf = [&](const std::vector<fs::path>& others) { // or the second of them
+      const auto found = std::ranges::find_if(others, [&](const fs::path& other) {
+        return other != project &&
+               (!annotator.empty() || stateIn(known_, other)->annotator != state.annotator);
+      });
+      return found == others.end() ? fs::path() : *found;
+    };
+    if (annotator.empty()) return firstOf(same->second.firsts);
+    const auto theirs = same->second.byAnnotator.find(annotator);
+    return theirs == same->second.byAnnotator.end() ? fs::path() : firstOf(theirs->second);
   }
 
 private:
+  struct OfContent {
+    std::map<std::string, std::vector<fs::path>> byAnnotator;
+    std::vector<fs::path> firsts; // of each annotator that has a name
+  };
   const KnownWorks& known_;
   bool isAllRead_ = true;
   std::map<fs::path, std::vector<fs::path>> byName_;
-  std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<fs::path>> byContent_;
+  std::map<std::pair<std::uint64_t, std::uint64_t>, OfContent> byContent_;
 };
 
 /// Of several projects of a scan, the one that a line of a table means; empty: there is none.
@@ -190,16 +272,9 @@ fs::path meantBy(const WorklistLine& line, const std::vector<fs::path>& projects
 
 void addSecond(WorklistRow& row, const ProjectsByScan& projects) {
   if (!row.state || !row.state->scan) return;
-  for (const fs::path& project : projects.ofSame(*row.state->scan)) {
-    const WorkState& other = *stateIn(projects.known(), project);
-    const bool isMeant = row.second.empty()
-                             ? !other.annotator.empty() && other.annotator != row.state->annotator
-                             : other.annotator == row.second;
-    if (project == row.project || !isMeant) continue;
-    row.second = other.annotator;
-    row.secondProject = project;
-    return;
-  }
+  row.secondProject = projects.second(row.project, *row.state, row.second);
+  if (!row.secondProject.empty())
+    row.second = stateIn(projects.known(), row.secondProject)->annotator;
 }
 
 WorklistRow rowOf(const WorklistLine& line, bool isTable, const ProjectsByScan& projects) {
@@ -208,17 +283,21 @@ WorklistRow rowOf(const WorklistLine& line, bool isTable, const ProjectsByScan& 
                   .others = line.others,
                   .problem = line.problem};
   if (line.file.empty()) return row;
+  bool isKnown = true; // whether there is a project
   if (isProjectName(line.file)) {
     row.project = line.file;
   } else {
     row.scan = line.file;
-    if (isTable) row.project = meantBy(line, projects.of(line.file), projects.known());
+    const ProjectsOfScan of = projects.of(line.file);
+    isKnown = of.isKnown;
+    if (isTable) row.project = meantBy(line, of.found, projects.known());
   }
-  const auto found = projects.known().find(row.project);
-  row.isRead = row.project.empty() ? projects.isAllRead() : found != projects.known().end();
+  const auto found = projects.known().find(row.file());
+  const bool isFileKnown = found != projects.known().end();
+  row.isRead = isKnown && (row.project.empty() || isFileKnown);
+  if (isFileKnown && row.problem.empty()) row.problem = found->second.problem;
   if (row.project.empty() || !row.isRead) return row;
   row.state = found->second.state;
-  row.problem = found->second.problem;
   if (row.state && row.annotator.empty()) row.annotator = row.state->annotator;
   if (row.state && row.state->scan && row.scan.empty()) row.scan = row.state->scan->path;
   addSecond(row, projects);
@@ -236,13 +315,27 @@ Worklist readWorklist(const fs::path& place) {
 std::vector<WorklistRow> rowsOf(const Worklist& list, const KnownWorks& known) {
   const ProjectsByScan projects(list, known);
   std::vector<WorklistRow> rows;
+  std::set<fs::path> before;
   for (const WorklistLine& line : list.lines) {
     const bool isScan = !line.file.empty() && !isProjectName(line.file);
-    if (!list.isTable && isScan && !projects.of(line.file).empty())
+    if (!list.isTable && isScan && !projects.of(line.file).found.empty())
       continue; // that project is a row
-    rows.push_back(rowOf(line, list.isTable, projects));
+    WorklistRow row = rowOf(line, list.isTable, projects);
+    if (!row.project.empty() && !before.insert(row.project).second)
+      row.problem = row.project.string() + ": a line before means this plant, too: take one of "
+                                           "the two out";
+    rows.push_back(std::move(row));
   }
   return rows;
+}
+
+std::vector<fs::path> scansToHash(const Worklist& list, const KnownWorks& known) {
+  const ProjectsByScan projects(list, known);
+  std::vector<fs::path> scans;
+  for (const WorklistLine& line : list.lines)
+    if (!line.file.empty() && !isProjectName(line.file) && projects.of(line.file).needsHash)
+      scans.push_back(line.file);
+  return scans;
 }
 
 } // namespace espalier

@@ -2,6 +2,7 @@
 
 #include "core/project/work_state.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -26,7 +27,7 @@ struct Worklist {
   std::vector<std::string> others; // names of the further columns of a table
   std::vector<WorklistLine> lines;
   bool isTable = false;
-  /// All that lie in the folders of the lines, by name; those of a table may name the scans alone.
+  /// All that lie in the folders of the lines, sorted; those of a table may name the scans alone.
   std::vector<std::filesystem::path> projects;
 };
 
@@ -35,18 +36,21 @@ struct Worklist {
 /// them. No project or scan is opened; a folder is asked for the beginning of its files.
 ///
 /// In a folder, texts named .txt and .csv are left out, which mostly are no scans. Files of a table
-/// are sought from its folder. A line has a problem if it names no file, one that is not there,
-/// one that is neither project nor scan, or one that came before.
+/// are sought from its folder. A link stands for the file it leads to. A line has a problem if it
+/// names no file, one that is not there, one that is neither project nor scan, one that came
+/// before, one whose name is no UTF-8, or an annotator by over 200 bytes; of what is longer in a
+/// further column, the beginning is kept.
 ///
 /// @throws Error if the place cannot be read, a table has no column `file`, or no plant is found
 [[nodiscard]] Worklist readWorklist(const std::filesystem::path& place);
 
-/// What is known of a project: its state, or why it cannot be read.
+/// What is known of a project or scan.
 struct KnownWork {
-  std::optional<WorkState> state = {};
-  std::string problem = {};
+  std::optional<WorkState> state = {};    // of a project that can be read
+  std::string problem = {};               // why not, or not all of it; of a scan, too. Empty: none
+  std::optional<std::uint64_t> hash = {}; // contentHashOfFile of a scan, where it was asked for
 };
-using KnownWorks = std::map<std::filesystem::path, KnownWork>; // by the path of the project
+using KnownWorks = std::map<std::filesystem::path, KnownWork>; // by the path of the file
 
 /// A plant of a worklist, with what is known of it.
 struct WorklistRow {
@@ -58,7 +62,7 @@ struct WorklistRow {
   std::vector<std::string> others = {};
   std::optional<WorkState> state = {}; // none: not read yet, there is no project, or a problem
   std::string problem = {};
-  bool isRead = true; // false: its project is not known yet
+  bool isRead = true; // false: its project, or whether there is one, is not known yet
 
   /// The file to open: the project, else the scan.
   [[nodiscard]] const std::filesystem::path& file() const {
@@ -71,9 +75,15 @@ struct WorklistRow {
 ///
 /// In a folder, each project is a row, and each scan that no project is of. In a table, each line
 /// is: one that names a scan has the project of that scan by its annotator, else one that is named
-/// like the scan, else the first by name. A project is of a scan that lies where it was found last,
-/// or has its name and size. The second project is one of the same scan by the second annotator,
-/// or by any other where a table names none. Time O(N log N).
+/// like the scan, else the first by name; one whose project came before has a problem. A project is
+/// of a scan that lies where it was found last; or that has its name and its content, where nothing
+/// lies there any more. The second project is one of the same scan by the second annotator, or by
+/// any other where a table names none. Time O(N log N).
 [[nodiscard]] std::vector<WorklistRow> rowsOf(const Worklist& list, const KnownWorks& known);
+
+/// The scans whose content says whether they are that of a project: their hashes are not known yet.
+/// Few, mostly none: those that have name and size of one that was moved. Time O(N log N).
+[[nodiscard]] std::vector<std::filesystem::path> scansToHash(const Worklist& list,
+                                                             const KnownWorks& known);
 
 } // namespace espalier

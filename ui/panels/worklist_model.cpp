@@ -1,5 +1,6 @@
 #include "ui/panels/worklist_model.h"
 
+#include "core/base/printable.h"
 #include "ui/document/hand_work_text.h"
 #include "ui/document/length_unit.h"
 #include "ui/document/seal_text.h"
@@ -11,6 +12,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <set>
 
 namespace espalier {
 namespace {
@@ -23,6 +29,65 @@ struct WorklistText {
 
 QString textOfPath(const std::filesystem::path& path) {
   return QString::fromStdString(path.string());
+}
+
+/// On one line, and not too long to be laid out at once.
+QString cellOf(const std::string& text) {
+  constexpr qsizetype most = 200; // letters, of at most four bytes each
+  const QString line = QString::fromStdString(printable(text.substr(0, 4 * most)));
+  return line.size() > most ? line.left(most) + QStringLiteral("…") : line;
+}
+
+/// The last `count` folders of a path.
+std::filesystem::path endOf(const std::filesystem::path& folder, std::ptrdiff_t count) {
+  std::filesystem::path end;
+  auto part = folder.end();
+  for (std::ptrdiff_t i = std::min(count, std::distance(folder.begin(), folder.end())); i > 0; --i)
+    --part;
+  for (; part != folder.end(); ++part)
+    end /= *part;
+  return end;
+}
+
+/// Of files that have one name, what tells them apart: the shortest ends of their folders.
+std::vector<std::filesystem::path> apartBy(const std::vector<std::filesystem::path>& files) {
+  const auto ends = [&](std::ptrdiff_t count) {
+    std::vector<std::filesystem::path> all;
+    for (const std::filesystem::path& file : files)
+      all.push_back(endOf(file.parent_path(), count));
+    return all;
+  };
+  const auto kinds = [](const std::vector<std::filesystem::path>& all) {
+    return std::set(all.begin(), all.end()).size();
+  };
+  constexpr std::ptrdiff_t whole = std::numeric_limits<std::ptrdiff_t>::max();
+  const std::size_t folders = kinds(ends(whole));
+  if (folders == 1) return {};
+  std::ptrdiff_t count = 1;
+  while (kinds(ends(count)) < folders)
+    ++count;
+  return ends(count);
+}
+
+/// "plot.ply", or "plot.ply · north" where there is another plot.ply.
+QStringList namesOf(const std::vector<ListedPlant>& plants) {
+  std::map<std::filesystem::path, std::vector<std::size_t>> byName;
+  QStringList names;
+  for (std::size_t i = 0; i < plants.size(); ++i) {
+    const std::filesystem::path name = plants[i].row.file().filename();
+    byName[name].push_back(i);
+    names.append(cellOf(name.string()));
+  }
+  for (const auto& [name, same] : byName) {
+    if (same.size() == 1 || name.empty()) continue;
+    std::vector<std::filesystem::path> files;
+    for (const std::size_t i : same)
+      files.push_back(plants[i].row.file());
+    const std::vector<std::filesystem::path> folders = apartBy(files);
+    for (std::size_t i = 0; i < folders.size(); ++i)
+      names[static_cast<qsizetype>(same[i])] += " · " + cellOf(folders[i].string());
+  }
+  return names;
 }
 
 /// Where there is nothing to show.
@@ -56,13 +121,14 @@ QVariant alignmentOf(int column) {
   const bool isNumber = column == WorklistModel::findingsColumn ||
                         column == WorklistModel::minutesColumn ||
                         column == WorklistModel::agreementColumn;
-  return QVariant((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+  // Numbers stand apart from the names beside them.
+  return QVariant((isNumber ? Qt::AlignHCenter : Qt::AlignLeft) | Qt::AlignVCenter);
 }
 
 /// All that a row has to say, for its tip.
 QString wholeText(const ListedPlant& plant) {
   const WorklistRow& row = plant.row;
-  QStringList lines = {plant.file()};
+  QStringList lines = {QString::fromStdString(printable(row.file().string()))};
   if (!row.problem.empty()) lines.append(stateText(row));
   if (row.state && row.state->seal)
     lines.append((plant.isFinished() ? WorklistText::tr("Signed by %1")
@@ -84,10 +150,10 @@ QString wholeText(const ListedPlant& plant) {
 
 QString stateText(const WorklistRow& row) {
   if (!row.problem.empty()) {
-    QString text = QString::fromStdString(row.problem);
-    const QString path = textOfPath(row.file()) + ": "; // the row says which file
-    if (text.startsWith(path)) text = text.mid(path.size());
-    text[0] = text[0].toUpper();
+    const std::string path = row.file().string() + ": ";            // the row says which file
+    if (!row.problem.starts_with(path)) return cellOf(row.problem); // it begins with another name
+    QString text = cellOf(row.problem.substr(path.size()));
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
     return text;
   }
   if (!row.isRead) return WorklistText::tr("Reading…");
@@ -100,7 +166,7 @@ QString stateText(const WorklistRow& row) {
     return row.state->seal ? WorklistText::tr("In review, seal broken")
                            : WorklistText::tr("In review");
   case WorkStage::finished:
-    return WorklistText::tr("Signed by %1").arg(QString::fromStdString(row.state->seal->author));
+    return WorklistText::tr("Signed by %1").arg(cellOf(row.state->seal->author));
   }
   return {};
 }
@@ -116,6 +182,7 @@ void WorklistModel::show(std::vector<ListedPlant> plants, const QStringList& oth
   const bool areSame = others == others_ && std::ranges::equal(plants, plants_, {}, fileOf, fileOf);
   if (!areSame) beginResetModel();
   plants_ = std::move(plants);
+  names_ = namesOf(plants_);
   others_ = others;
   if (!areSame) return endResetModel();
   if (!plants_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
@@ -185,18 +252,16 @@ QVariant WorklistModel::headerData(int section, Qt::Orientation orientation, int
   case agreementColumn:
     return isTip ? tr("F of both structures, at the usual tolerance") : tr("Agreement");
   default:
-    return others_.value(section - columns);
+    return cellOf(others_.value(section - columns).toStdString());
   }
 }
 
 QString WorklistModel::textOf(const ListedPlant& plant, int column) const {
   const WorklistRow& row = plant.row;
-  const auto orNone = [](const std::string& text) {
-    return text.empty() ? none() : QString::fromStdString(text);
-  };
+  const auto orNone = [](const std::string& text) { return text.empty() ? none() : cellOf(text); };
   switch (column) {
   case plantColumn: {
-    const QString name = textOfPath(row.file().filename());
+    const QString& name = names_[&plant - plants_.data()];
     return name.isEmpty() ? none() : name;
   }
   case stateColumn:
@@ -219,7 +284,7 @@ QString WorklistModel::textOf(const ListedPlant& plant, int column) const {
     return plant.agreement ? QString::number(plant.agreement->f, 'f', 2) : none();
   default: {
     const auto i = static_cast<std::size_t>(column - columns);
-    return i < row.others.size() ? QString::fromStdString(row.others[i]) : QString();
+    return i < row.others.size() ? cellOf(row.others[i]) : QString();
   }
   }
 }

@@ -23,7 +23,8 @@ struct ListedPlant {
   [[nodiscard]] bool isFinished() const { return row.stage() == WorkStage::finished; }
 };
 
-/// The plants of a worklist: what each is, how far the work on it has come, and who does it.
+/// The plants of a worklist: what each is, how far the work on it has come, and who does it. Where
+/// names repeat, what the folders differ in is shown, too; of long texts, the beginning.
 class WorklistModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -64,6 +65,7 @@ private:
   [[nodiscard]] QVariant sortKeyOf(const ListedPlant& plant, int column) const;
 
   std::vector<ListedPlant> plants_;
+  QStringList names_; // of these, as shown
   QStringList others_;
   QString open_;
 };

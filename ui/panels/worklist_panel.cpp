@@ -161,7 +161,7 @@ void WorklistPanel::showOpen() {
   }
 }
 
-QString WorklistPanel::nextAfter(const QString& file) const {
+std::vector<WorklistRow> WorklistPanel::following(const QString& file) const {
   std::vector<const ListedPlant*> plants; // as they are shown
   for (int row = 0; row < shown_->rowCount(); ++row) {
     const int at = shown_->mapToSource(shown_->index(row, 0)).row();
@@ -173,10 +173,19 @@ QString WorklistPanel::nextAfter(const QString& file) const {
     std::rotate(plants.begin(), open + 1, plants.end());
     plants.pop_back(); // itself
   }
-  const auto found = std::ranges::find_if(plants, [](const ListedPlant* plant) {
-    return plant->row.problem.empty() && !plant->isFinished() && !plant->file().isEmpty();
+  std::vector<WorklistRow> rows;
+  for (const ListedPlant* plant : plants) {
+    const bool isToSign = plant->row.isRead && plant->row.problem.empty() && !plant->isFinished() &&
+                          !plant->file().isEmpty();
+    if (isToSign) rows.push_back(plant->row);
+  }
+  return rows;
+}
+
+bool WorklistPanel::isReading() const {
+  return std::ranges::any_of(model_->plants(), [](const ListedPlant& plant) {
+    return !plant.row.isRead && plant.row.problem.empty();
   });
-  return found == plants.end() ? QString() : (*found)->file();
 }
 
 void WorklistPanel::choose() {
@@ -188,13 +197,17 @@ void WorklistPanel::choose() {
 
 void WorklistPanel::refreshTexts() {
   const std::vector<ListedPlant>& plants = model_->plants();
-  title_->setText(place_.isEmpty() ? QString() : tr("%1 · %2").arg(place_, countsOf(plants)));
+  const bool isRead = !plants.empty() || !problem_.isEmpty();
+  title_->setText(place_.isEmpty() || !isRead ? place_
+                                              : tr("%1 · %2").arg(place_, countsOf(plants)));
   title_->setToolTip(title_->text());
   QString note = problem_;
   if (place_.isEmpty())
     note = tr("Choose a folder of scans and projects, or a table that names them: they are listed "
               "here, and opened one after another.");
-  else if (note.isEmpty() && !plants.empty() && shown_->rowCount() == 0)
+  else if (!isRead)
+    note = tr("The worklist is being read.");
+  else if (note.isEmpty() && shown_->rowCount() == 0)
     note = tr("No plant of the worklist is in this state.");
   setRole(*note_, problem_.isEmpty() ? "quiet" : "warning");
   note_->setText(note);

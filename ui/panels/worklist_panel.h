@@ -32,9 +32,11 @@ public:
             const QStringList& others);
   void setOpen(const QString& file); // the plant that is open; empty: none of them
 
-  /// The file of the next plant behind that one, in the order and of those that are shown, that is
-  /// not signed and can be opened; from the top again at the end. Empty: there is none.
-  [[nodiscard]] QString nextAfter(const QString& file) const;
+  /// The plants behind that file, in the order and of those that are shown, that are not signed and
+  /// can be opened; from the top again at the end, without itself. Those that are still read do not
+  /// count.
+  [[nodiscard]] std::vector<WorklistRow> following(const QString& file) const;
+  [[nodiscard]] bool isReading() const; // whether some are still read
 
 signals:
   void chosen(const QString& file); // to open; empty: the row has none

@@ -69,6 +69,8 @@ WorklistFlow::WorklistFlow(const Parts& parts)
         },
         Refusal::inBanner);
   });
+  connect(&parts_.jobs, &JobSlot::failed, this, &WorklistFlow::noteFailure);
+  connect(&parts_.jobs, &JobSlot::finished, this, [this] { opening_.clear(); });
   for (auto signal : {&PlantDocument::titleChanged, &PlantDocument::scanChanged})
     connect(&parts_.document, signal, this, [this] { panel_->setOpen(openFile()); });
 }
@@ -131,6 +133,7 @@ void WorklistFlow::take(const QString& place) {
   faces_.clear();
   compared_.clear();
   toRead_.clear();
+  toHash_.reset();
   show();
   dock_->bringToFront();
   survey();
@@ -149,27 +152,53 @@ void WorklistFlow::open(const QString& file) {
     throw Error(tr("this row has no file to open: it says what is wrong").toStdString());
   if (file == openFile()) return emit noted(tr("%1 is open").arg(QFileInfo(file).fileName()));
   parts_.open(file);
+  opening_ = toPath(file);
+}
+
+void WorklistFlow::noteFailure(const QString& message) {
+  // One that another window works on can be opened once that is closed.
+  if (opening_.empty() || !stamps_.contains(opening_) || ProjectLock::holder(opening_)) return;
+  known_[opening_].problem = message.toStdString();
+  show();
+}
+
+bool WorklistFlow::isBeingRead() {
+  if (place_.isEmpty())
+    throw Error(tr("there is no worklist yet: choose a folder or a table for it").toStdString());
+  if (!list_.lines.empty()) return false;
+  if (!problem_.isEmpty()) throw Error(problem_.toStdString());
+  survey();
+  return true;
 }
 
 void WorklistFlow::openNext() {
-  if (place_.isEmpty())
-    throw Error(tr("there is no worklist yet: choose a folder or a table for it").toStdString());
-  if (!dock_->isShown()) dock_->bringToFront();
-  if (list_.lines.empty() && problem_.isEmpty()) {
-    survey();
-    return emit noted(tr("The worklist is being read"));
+  const QString wait = tr("The worklist is being read");
+  if (isBeingRead()) {
+    dock_->bringToFront();
+    return emit noted(wait);
   }
-  const QString next = panel_->nextAfter(openFile());
-  if (next.isEmpty())
-    throw Error(tr("no other plant that the worklist shows is still to be signed").toStdString());
-  open(next);
+  if (!dock_->isShown()) dock_->bringToFront();
+  const std::vector<WorklistRow> rows = panel_->following(openFile());
+  const auto next = std::ranges::find_if(rows, [](const WorklistRow& row) {
+    return row.project.empty() || !ProjectLock::holder(row.project);
+  });
+  if (next != rows.end()) return open(QString::fromStdString(next->file().string()));
+  if (panel_->isReading()) return emit noted(wait);
+  throw Error((rows.empty()
+                   ? tr("no other plant that the worklist shows is still to be signed")
+                   : tr("the plants that are still to be signed are open in other windows"))
+                  .toStdString());
 }
 
 void WorklistFlow::compareWithSecond() {
   const std::filesystem::path open = toPath(openFile());
-  for (const WorklistRow& row : rowsOf(list_, known_))
+  bool isReading = isBeingRead();
+  for (const WorklistRow& row : rowsOf(list_, known_)) {
     if (!open.empty() && row.project == open && !row.secondProject.empty())
       return parts_.compareWith(QString::fromStdString(row.secondProject.string()));
+    isReading = isReading || !row.isRead;
+  }
+  if (isReading) return emit noted(tr("The worklist is being read"));
   throw Error(tr("the worklist has no project of a second annotator for the plant that is open")
                   .toStdString());
 }
@@ -191,14 +220,19 @@ void WorklistFlow::takeSurvey(SurveyedWorklist found) {
     for (const auto& [file, stamp] : found.stamps) {
       const auto before = stamps_.find(file);
       if (before != stamps_.end() && before->second == stamp) continue;
+      toHash_.reset();
+      if (const auto known = known_.find(file); known != known_.end()) known->second.hash.reset();
       if (std::ranges::find(toRead_, file) == toRead_.end()) toRead_.push_back(file);
     }
     std::erase_if(known_, [&](const auto& each) { return !found.stamps.contains(each.first); });
+    std::erase_if(faces_, [&](const auto& each) { return !found.stamps.contains(each.first); });
+    std::erase_if(compared_, [&](const auto& each) {
+      return !found.stamps.contains(each.first.first) || !found.stamps.contains(each.first.second);
+    });
     stamps_ = std::move(found.stamps);
     // What is to be done or not is known once all projects are: scans have time.
-    std::stable_partition(toRead_.begin(), toRead_.end(), [&](const auto& file) {
-      return std::ranges::binary_search(list_.projects, file);
-    });
+    std::stable_partition(toRead_.begin(), toRead_.end(),
+                          [&](const auto& file) { return isProject(file); });
   }
   show();
   readNext();
@@ -208,23 +242,48 @@ void WorklistFlow::readNext() {
   if (read_.isBusy()) return;
   while (!toRead_.empty() && !stamps_.contains(toRead_.front()))
     toRead_.pop_front(); // it is gone
+  const bool areProjectsRead = toRead_.empty() || !isProject(toRead_.front());
+  if (areProjectsRead && startHash()) return;
   if (toRead_.empty()) {
     if (const auto pair = nextToCompare()) compare(*pair);
     return;
   }
   const std::filesystem::path file = toRead_.front();
   toRead_.pop_front();
-  const bool isProject = std::ranges::binary_search(list_.projects, file);
   read_.start(
-      [file, isProject, stamp = stamps_.at(file), pictures = pictures_](const Progress&) {
-        return isProject ? readProjectOf(file, stamp, pictures) : readScanOf(file, stamp, pictures);
+      [file, isProject = !areProjectsRead, stamp = stamps_.at(file),
+       pictures = pictures_](const Progress& progress) {
+        return isProject ? readProjectOf(file, stamp, pictures, progress)
+                         : readScanOf(file, stamp, pictures);
       },
       [this, file](ReadPlant plant) { takePlant(file, std::move(plant)); });
 }
 
+bool WorklistFlow::isProject(const std::filesystem::path& file) const {
+  return std::ranges::binary_search(list_.projects, file);
+}
+
+bool WorklistFlow::startHash() {
+  if (!toHash_) {
+    const std::vector<std::filesystem::path> scans = scansToHash(list_, known_);
+    toHash_.emplace(scans.begin(), scans.end());
+  }
+  if (toHash_->empty()) return false;
+  const std::filesystem::path scan = toHash_->front();
+  toHash_->pop_front();
+  read_.start([scan](const Progress& progress) { return readHashOf(scan, progress); },
+              [this, scan](KnownWork work) {
+                known_[scan] = std::move(work);
+                if (!later_.isActive()) later_.start();
+              });
+  return true;
+}
+
 void WorklistFlow::takePlant(const std::filesystem::path& file, ReadPlant plant) {
   faces_[file] = std::move(plant.picture);
-  if (std::ranges::binary_search(list_.projects, file)) known_[file] = std::move(plant.work);
+  KnownWork& known = known_[file];
+  plant.work.hash = known.hash; // of a scan, found before its picture
+  known = std::move(plant.work);
   if (!later_.isActive()) later_.start();
 }
 

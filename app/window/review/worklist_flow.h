@@ -10,6 +10,7 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace espalier {
@@ -30,7 +31,7 @@ public:
   /// What it works with; all must outlive it.
   struct Parts {
     PlantDocument& document;
-    JobQueue& queue;
+    JobSlot& jobs; // opens files
     PanelDock::Parts window;
     std::function<void(const QString& file)> open; // a plant of its own; asks about unsaved work
     std::function<void(const QString& file)> compareWith; // loads the reference of the open plant
@@ -51,11 +52,17 @@ private:
   void open(const QString& file);
   void openNext();
   void compareWithSecond();
-  [[nodiscard]] QString openFile() const; // of the plant that is open; empty: it has none
+  /// Surveys what was not read yet; true: it has to be waited for.
+  /// @throws Error if there is no worklist, or it cannot be read
+  [[nodiscard]] bool isBeingRead();
+  void noteFailure(const QString& message); // of a plant of the list that was to be opened
+  [[nodiscard]] QString openFile() const;   // of the plant that is open; empty: it has none
 
   void survey();
   void takeSurvey(SurveyedWorklist found);
   void readNext();
+  [[nodiscard]] bool isProject(const std::filesystem::path& file) const;
+  [[nodiscard]] bool startHash(); // of a scan that is needed; false: of none
   void takePlant(const std::filesystem::path& file, ReadPlant plant);
   [[nodiscard]] std::optional<Pair> nextToCompare() const;
   [[nodiscard]] const Compared* comparedOf(const Pair& pair) const; // null: not as they are now
@@ -71,14 +78,16 @@ private:
   QString problem_;
   Worklist list_;
   FileStamps stamps_;
-  KnownWorks known_;                              // of projects
+  KnownWorks known_;
   std::map<std::filesystem::path, QImage> faces_; // pictures, by file
   std::map<Pair, Compared> compared_;
-  std::deque<std::filesystem::path> toRead_;
-  QTimer again_; // to look for files that have changed
-  QTimer later_; // to show what was read
-  JobSlot survey_{parts_.queue, JobPriority::background};
-  JobSlot read_{parts_.queue, JobPriority::background};
+  std::deque<std::filesystem::path> toRead_;                // projects first
+  std::optional<std::deque<std::filesystem::path>> toHash_; // none: not known yet
+  std::filesystem::path opening_;                           // by a job; empty: none of the list
+  QTimer again_;                                            // to look for files that have changed
+  QTimer later_;                                            // to show what was read
+  JobSlot survey_{parts_.jobs.queue(), JobPriority::background};
+  JobSlot read_{parts_.jobs.queue(), JobPriority::background};
 };
 
 } // namespace espalier

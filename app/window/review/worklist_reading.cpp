@@ -1,7 +1,6 @@
 #include "app/window/review/worklist_reading.h"
 
 #include "app/window/review/sealed_facts.h"
-#include "core/base/error.h"
 #include "core/evaluate/match/comparable.h"
 #include "core/io/glance.h"
 #include "core/project/content_hash.h"
@@ -10,6 +9,7 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include <exception>
 #include <system_error>
 
 namespace espalier {
@@ -61,7 +61,7 @@ SurveyedWorklist surveyWorklist(const fs::path& place) {
   SurveyedWorklist found;
   try {
     found.list = readWorklist(place);
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     found.problem = QString::fromUtf8(error.what());
     return found;
   }
@@ -85,19 +85,21 @@ void PictureCache::keep(const fs::path& file, const FileStamp& stamp, const QIma
 }
 
 ReadPlant readProjectOf(const fs::path& project, const FileStamp& stamp,
-                        const PictureCache& pictures) {
+                        const PictureCache& pictures, const Progress& progress) {
   ReadPlant plant;
   try {
     const Project opened = Project::open(project, Access::readOnly);
+    progress.check();
     const Imported<History> read = opened.lastWork();
     const History& work = read.value;
     if (!read.notes.empty()) plant.work.problem = read.notes.front();
+    progress.check();
     plant.work.state = workState(opened, work);
     plant.picture = pictures.find(project, stamp);
     if (!plant.picture.isNull() || work.skeleton.isEmpty()) return plant;
     plant.picture = pictureOf(work.skeleton, pictureSize);
     pictures.keep(project, stamp, plant.picture);
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     plant.work.problem = error.what();
   }
   return plant;
@@ -110,10 +112,18 @@ ReadPlant readScanOf(const fs::path& scan, const FileStamp& stamp, const Picture
     const PointGlance glance = glanceAt(scan);
     plant.picture = pictureOf(glance.sample, upOfGlance(glance), pictureSize);
     pictures.keep(scan, stamp, plant.picture);
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     plant.work.problem = error.what();
   }
   return plant;
+}
+
+KnownWork readHashOf(const fs::path& scan, const Progress& progress) {
+  try {
+    return {.hash = contentHashOfFile(scan, progress)};
+  } catch (const std::exception& error) {
+    return {.problem = error.what()};
+  }
 }
 
 std::optional<SealedAgreement> agreementOf(const fs::path& project, const fs::path& second,
@@ -126,7 +136,7 @@ std::optional<SealedAgreement> agreementOf(const fs::path& project, const fs::pa
       return std::nullopt;
     return agreement(workState(other, reference).annotator, plant.skeleton, reference.skeleton, 0,
                      progress);
-  } catch (const Error&) { // its row says why it cannot be read
+  } catch (const std::exception&) { // its row says why it cannot be read
     return std::nullopt;
   }
 }

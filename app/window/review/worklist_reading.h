@@ -13,8 +13,8 @@
 
 namespace espalier {
 
-// What a worklist reads in the background. Nothing that is wrong with a plant is thrown: it is said
-// of that plant, and the rest goes on.
+// What a worklist reads in the background. Nothing that is wrong with a plant is thrown, whatever
+// it is: it is said of that plant, and the rest goes on.
 
 /// By which it is seen that a file has changed; of a project, what waits in its journal counts,
 /// too.
@@ -53,10 +53,13 @@ struct PictureCache {
 
 /// @throws Cancelled if `progress` asks to stop
 [[nodiscard]] ReadPlant readProjectOf(const std::filesystem::path& project, const FileStamp& stamp,
-                                      const PictureCache& pictures);
+                                      const PictureCache& pictures, const Progress& progress);
 /// The picture of a scan, from some of its points: it is not read whole.
 [[nodiscard]] ReadPlant readScanOf(const std::filesystem::path& scan, const FileStamp& stamp,
                                    const PictureCache& pictures);
+/// What a scan holds, by its hash: it is read whole.
+/// @throws Cancelled if `progress` asks to stop
+[[nodiscard]] KnownWork readHashOf(const std::filesystem::path& scan, const Progress& progress);
 
 /// How two projects of one scan agree; none: one of them has no length, or cannot be read.
 /// @throws Cancelled if `progress` asks to stop

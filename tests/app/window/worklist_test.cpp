@@ -1,4 +1,6 @@
+#include "app/window/evaluate/evaluation_flow.h"
 #include "app/window/evaluate/reference_flow.h"
+#include "core/project/project_lock.h"
 #include "core/worklist/worklist.h"
 #include "tests/app/window/project_fixture.h"
 #include "ui/panels/status_line.h"
@@ -7,11 +9,17 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QFile>
+#include <QIcon>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSettings>
 #include <QTableView>
 #include <QTest>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
 
 namespace espalier {
 namespace {
@@ -52,6 +60,15 @@ struct WorklistWindowTest : test::ProjectWindowTest {
   [[nodiscard]] bool waitForRows(const QStringList& wanted) {
     return QTest::qWaitFor([&] { return rows() == wanted; }, soon);
   }
+  /// There is an icon in any case: an empty one at first.
+  bool hasPicture(int row) {
+    const auto icon = list().model()->index(row, 0).data(Qt::DecorationRole).value<QIcon>();
+    const QImage image = icon.pixmap(96, 96).toImage();
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        if (image.pixelColor(x, y).alpha() > 0) return true;
+    return false;
+  }
   void choose(int row) {
     list().setCurrentIndex(list().model()->index(row, 0));
     list().setFocus();
@@ -76,9 +93,7 @@ TEST_F(WorklistWindowTest, ListsAFolderWithoutAPlantBeingOpen) {
   EXPECT_EQ(cell(0, WorklistModel::findingsColumn), "–") << "nothing was checked";
   EXPECT_EQ(find<QLabel>("worklist_title").text(), "plants · 2 plants: 1 to do, 1 in review");
   for (int row = 0; row < 2; ++row)
-    EXPECT_TRUE(QTest::qWaitFor(
-        [&] { return !list().model()->index(row, 0).data(Qt::DecorationRole).isNull(); }, soon))
-        << "picture of row " << row;
+    EXPECT_TRUE(QTest::qWaitFor([&] { return hasPicture(row); }, soon)) << "picture of row " << row;
   EXPECT_EQ(QDir(path("pictures")).entryList({"*.png"}, QDir::Files).size(), 2);
 }
 
@@ -205,6 +220,109 @@ TEST_F(WorklistWindowTest, ComparesTheOpenPlantWithThatOfTheSecondAnnotator) {
   action("compare_second").trigger();
   waitForJob();
   EXPECT_EQ(window().part<ReferenceFlow>().name(), "ben.espalier");
+  EXPECT_FALSE(window().part<EvaluationFlow>().options().registers) << "both lie in one frame";
+}
+
+TEST_F(WorklistWindowTest, ReadsTheListForTheSecondAnnotatorWhileThePanelIsClosed) {
+  const QString scan = writeScan("plants/scan.xyz");
+  writeProject("anna.espalier", "Anna", scan);
+  writeProject("ben.espalier", "Ben", scan);
+  expectNoDialog([this] { action("compare_second").trigger(); });
+  EXPECT_EQ(message(), "There is no worklist yet: choose a folder or a table for it");
+  chooseFolderOfPlants();
+  ASSERT_TRUE(waitForRows({"anna.espalier: In review", "ben.espalier: In review"}));
+  action("show_worklist").trigger();
+  window().close();
+  restart();
+  ASSERT_FALSE(action("show_worklist").isChecked());
+  open({path("plants/anna.espalier")});
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        action("compare_second").trigger();
+        waitForJob();
+        return window().part<ReferenceFlow>().name() == "ben.espalier";
+      },
+      soon));
+}
+
+TEST_F(WorklistWindowTest, PassesOverAPlantThatAnotherWindowWorksOn) {
+  for (const char* name : {"a.espalier", "b.espalier", "c.espalier"})
+    writeProject(name, "Anna");
+  chooseFolderOfPlants();
+  ASSERT_TRUE(
+      waitForRows({"a.espalier: In review", "b.espalier: In review", "c.espalier: In review"}));
+  choose(0);
+  auto another = std::make_unique<ProjectLock>(toPath(path("plants/b.espalier")));
+  next();
+  EXPECT_EQ(openName(), "c.espalier");
+  writeProject("d.espalier", "Anna");
+  QFile::remove(path("plants/a.espalier"));
+  QFile::remove(path("plants/d.espalier"));
+  ASSERT_TRUE(waitForRows({"b.espalier: In review", "c.espalier: In review"}));
+  expectNoDialog([this] { next(); });
+  EXPECT_EQ(message(), "The plants that are still to be signed are open in other windows");
+  another.reset();
+  next();
+  EXPECT_EQ(openName(), "b.espalier");
+}
+
+TEST_F(WorklistWindowTest, ShowsABrokenScanAndGoesOn) {
+  for (const char* name : {"a.ply", "b.xyz"}) {
+    QFile scan(path(QString("plants/") + name));
+    ASSERT_TRUE(scan.open(QIODevice::WriteOnly));
+    scan.write(name == std::string("a.ply") ? "ply\nnonsense\n" : "0 0 0\n0 0 1\n1 0 1\n");
+  }
+  writeProject("c.espalier", "Anna");
+  chooseFolderOfPlants();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        return rows().size() == 3 && rows()[1] == "b.xyz: To do" && !rows()[0].contains("To do");
+      },
+      soon))
+      << rows().join(" | ").toStdString();
+  EXPECT_EQ(list().model()->index(0, 0).data(WorklistModel::stageRole), "p");
+  // One that is broken since, which only opening it shows.
+  const std::filesystem::path later = toPath(path("plants/b.xyz"));
+  const auto time = std::filesystem::last_write_time(later);
+  std::ofstream(later) << "a b c\nd e f\ng h i\n";
+  std::filesystem::last_write_time(later, time);
+  next();
+  EXPECT_EQ(openName(), "");
+  next();
+  EXPECT_EQ(openName(), "c.espalier") << "not the broken one again";
+  EXPECT_EQ(list().model()->index(1, 0).data(WorklistModel::stageRole), "p");
+}
+
+TEST_F(WorklistWindowTest, ShowsThatAProjectIsDamaged) {
+  const QString file = writeProject("a.espalier", "Anna");
+  Database(toPath(file), Opening::readWrite).execute("UPDATE journal SET delta = x'0102'");
+  chooseFolderOfPlants();
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return rows().value(0).startsWith("a.espalier: Is damaged: the plant is as it was"); },
+      soon))
+      << rows().join(" | ").toStdString();
+}
+
+TEST_F(WorklistWindowTest, GoesOnAmongLinks) {
+  for (const char* name : {"a.espalier", "b.espalier"}) {
+    writeProject(name, "Anna");
+    QDir().mkpath(path("today"));
+    QFile::link(path(QString("plants/") + name), path(QString("today/") + name));
+  }
+  answer(chooseFile(path("today")), [this] { action("worklist_folder").trigger(); });
+  ASSERT_TRUE(waitForRows({"a.espalier: In review", "b.espalier: In review"}));
+  next();
+  EXPECT_EQ(openName(), "a.espalier");
+  next();
+  EXPECT_EQ(openName(), "b.espalier");
+}
+
+TEST_F(WorklistWindowTest, KnowsAScanThatWasMovedByItsContent) {
+  const QString scan = writeScan("plants/scan.xyz");
+  writeProject("a.espalier", "Anna", scan);
+  ASSERT_TRUE(QDir().rename(path("plants"), path("moved")));
+  answer(chooseFile(path("moved")), [this] { action("worklist_folder").trigger(); });
+  EXPECT_TRUE(waitForRows({"a.espalier: In review"})) << rows().join(" | ").toStdString();
 }
 
 TEST_F(WorklistWindowTest, ShowsWhatIsWrongWithARowAndGoesOn) {
@@ -260,7 +378,7 @@ TEST_F(WorklistWindowTest, ReadsATableWithFurtherColumns) {
   EXPECT_EQ(cell(row, WorklistModel::columns), "7");
   EXPECT_EQ(cell(row, WorklistModel::annotatorColumn), "Zoe");
   EXPECT_TRUE(cell(1 - row, WorklistModel::stateColumn)
-                  .startsWith("List.csv, line 3: there is no file 'plants/missing.espalier'"))
+                  .startsWith("list.csv, line 3: there is no file 'plants/missing.espalier'"))
       << cell(1 - row, WorklistModel::stateColumn).toStdString();
 }
 

@@ -1,9 +1,11 @@
 #include "core/base/error.h"
+#include "core/project/content_hash.h"
 #include "core/skeleton/edits.h"
 #include "core/worklist/worklist.h"
 #include "tests/support/plants.h"
 #include "tests/support/shared_data.h"
 
+#include <algorithm>
 #include <fstream>
 #include <gmock/gmock.h>
 
@@ -48,6 +50,8 @@ struct WorklistTest : testing::Test {
         known[each] = {.problem = error.what()};
       }
     }
+    for (const fs::path& each : scansToHash(list, known))
+      known[each] = {.hash = contentHashOfFile(each)};
     return known;
   }
   [[nodiscard]] std::vector<WorklistRow> rows(const fs::path& place) const {
@@ -96,6 +100,89 @@ TEST_F(WorklistTest, KnowsAScanThatWasMovedWithItsProject) {
   EXPECT_THAT(filesOf(rows(folder)), ElementsAre("b.espalier"));
   write("b.xyz", "0 0 0\n"); // another scan, which only has its name
   EXPECT_THAT(filesOf(rows(folder)), ElementsAre("b.espalier", "b.xyz"));
+}
+
+TEST_F(WorklistTest, DoesNotTakeAScanOfOneNameAndSizeForAnother) {
+  const fs::path first = write("first/plot.xyz", "0 0 0\n0 0 1\n1 0 2\n");
+  write("second/plot.xyz", "0 0 0\n0 0 1\n2 0 2\n");
+  project("first/plot.espalier", first, "Anna");
+  const fs::path table = write("list.csv", "file\nfirst/plot.xyz\nsecond/plot.xyz\n");
+  EXPECT_THAT(filesOf(rows(table)), ElementsAre("plot.espalier", "plot.xyz"));
+  fs::rename(folder / "first", folder / "moved"); // where it was found last, there is none now
+  write("list.csv", "file\nmoved/plot.xyz\nsecond/plot.xyz\n");
+  const Worklist list = readWorklist(table);
+  KnownWorks known = readAll(list);
+  EXPECT_THAT(filesOf(rowsOf(list, known)), ElementsAre("plot.espalier", "plot.xyz"));
+  for (const char* scan : {"moved/plot.xyz", "second/plot.xyz"})
+    known.erase(fs::weakly_canonical(folder / scan));
+  EXPECT_EQ(scansToHash(list, known).size(), 2U);
+  for (const WorklistRow& row : rowsOf(list, known)) {
+    EXPECT_FALSE(row.isRead) << "what they hold is not known yet";
+    EXPECT_EQ(row.file().filename(), "plot.xyz");
+  }
+}
+
+TEST_F(WorklistTest, KnowsAPlantThatIsListedByItsProjectAndByItsScan) {
+  project("a.espalier", scan("a.xyz"), "Anna");
+  const std::vector<WorklistRow> found = rows(write("list.csv", "file\na.xyz\na.espalier\n"));
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_THAT(found[0].problem, IsEmpty());
+  EXPECT_THAT(found[1].problem, HasSubstr("a line before means this plant, too"));
+}
+
+TEST_F(WorklistTest, OfATableWaitsForTheProjectOfTheAnnotator) {
+  const fs::path of = scan("a.xyz");
+  const fs::path anna = project("a.espalier", of, "Anna");
+  project("z.espalier", of, "Ben");
+  const Worklist list = readWorklist(write("list.csv", "file,annotator\na.xyz,Ben\n"));
+  KnownWorks known = readAll(list);
+  EXPECT_EQ(filesOf(rowsOf(list, known)).front(), "z.espalier");
+  std::erase_if(known, [&](const auto& each) { return each.first != anna; });
+  EXPECT_FALSE(rowsOf(list, known).front().isRead);
+}
+
+TEST_F(WorklistTest, TakesALinkForTheFileItLeadsTo) {
+  const fs::path of = project("plants/a.espalier", scan("plants/a.xyz"), "Anna");
+  fs::create_directories(folder / "today");
+  fs::create_symlink(of, folder / "today" / "first.espalier");
+  fs::create_symlink(of, folder / "today" / "second.espalier");
+  const std::vector<WorklistRow> found = rows(folder / "today");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].file(), of);
+}
+
+TEST_F(WorklistTest, SaysWhatIsWrongWithAScan) {
+  const fs::path of = scan("a.xyz");
+  const Worklist list = readWorklist(folder);
+  EXPECT_EQ(rowsOf(list, {{of, {.problem = "it is broken"}}}).front().problem, "it is broken");
+}
+
+TEST_F(WorklistTest, SaysThatANameIsNoUtf8) {
+  write("\xff.xyz", "0 0 0\n");
+  EXPECT_THAT(rows(folder).front().problem, HasSubstr("its name is no UTF-8: rename it"));
+  EXPECT_THAT(rows(write("list.csv", "file\n\xff.xyz\n")).front().problem,
+              HasSubstr("is no UTF-8: rename the file"));
+}
+
+TEST_F(WorklistTest, KeepsTheBeginningOfLongFields) {
+  scan("a.xyz");
+  const std::string longNote(100'000, 'x');
+  const std::string letters = "\"" + std::string(199, 'y') + "é…\"";
+  std::vector<WorklistRow> found =
+      rows(write("list.csv", "file,note,other\na.xyz," + longNote + "," + letters + "\n"));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].others[0], std::string(200, 'x') + "…");
+  EXPECT_EQ(found[0].others[1], std::string(199, 'y') + "…") << "no letter is cut in two";
+  found = rows(write("list.csv", "file,annotator\na.xyz," + longNote + "\n"));
+  EXPECT_THAT(found[0].problem, HasSubstr("line 2: the annotator has over 200 bytes"));
+  EXPECT_LT(found[0].annotator.size(), 300U);
+}
+
+TEST_F(WorklistTest, FindsAProjectInAFolderBelowAnother) {
+  project("z.espalier", scan("z.xyz"), "Anna");
+  project("c/a.espalier", scan("c/a.xyz"), "Anna");
+  const Worklist list = readWorklist(write("list.csv", "file\nz.xyz\nc/a.xyz\n"));
+  EXPECT_TRUE(std::ranges::is_sorted(list.projects)) << "they are looked up by halving";
 }
 
 TEST_F(WorklistTest, FindsTheSecondAnnotatorOfAScan) {

@@ -77,5 +77,43 @@ TEST(WorklistModel, SortsFurtherColumnsAsNumbersWhereTheyAre) {
   EXPECT_EQ(key(1), QVariant(QString("tall")));
 }
 
+TEST(WorklistModel, ShowsTheFoldersOfPlantsWithOneName) {
+  WorklistModel model;
+  std::vector<ListedPlant> plants;
+  for (const char* file : {"north/1/plot.ply", "north/2/plot.ply", "south/1/plot.ply", "oak.ply"})
+    plants.push_back(plantOf(file, WorkStage::toDo));
+  model.show(plants, {});
+  QStringList names;
+  for (int row = 0; row < model.rowCount(); ++row)
+    names.append(cell(model, WorklistModel::plantColumn, row));
+  EXPECT_EQ(names, QStringList({"plot.ply · north/1", "plot.ply · north/2", "plot.ply · south/1",
+                                "oak.ply"}));
+  plants.erase(plants.begin());
+  model.show(plants, {});
+  EXPECT_EQ(cell(model, WorklistModel::plantColumn), "plot.ply · 2") << "as far as is needed";
+}
+
+TEST(WorklistModel, ShowsEachCellOnOneLineAndNotTooLong) {
+  WorklistModel model;
+  ListedPlant plant = plantOf("two\nlines.ply", WorkStage::finished);
+  const std::string endless(100'000, 'x');
+  plant.row.annotator = plant.row.second = plant.row.state->seal->author = endless;
+  plant.row.others = {endless};
+  model.show({plant}, {QString::fromStdString(endless)});
+  EXPECT_EQ(cell(model, WorklistModel::plantColumn), "two?lines.ply");
+  for (int column = 0; column < model.columnCount(); ++column) {
+    EXPECT_LT(cell(model, column).size(), 300) << column;
+    EXPECT_LT(model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString().size(), 300);
+  }
+  plant.row.problem = endless;
+  model.show({plant}, {});
+  EXPECT_LT(cell(model, WorklistModel::stateColumn).size(), 300);
+}
+
+TEST(WorklistModel, LeavesTheNameOfATableAsItIs) {
+  const WorklistRow row{.problem = "my list.csv, line 3: no file is named"};
+  EXPECT_EQ(stateText(row), "my list.csv, line 3: no file is named");
+}
+
 } // namespace
 } // namespace espalier

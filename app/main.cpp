@@ -2,6 +2,7 @@
 #include "app/cli/command_line.h"
 #include "app/log/crash_handler.h"
 #include "app/log/run_log.h"
+#include "app/window/frame/language.h"
 #include "app/window/main_window.h"
 #include "ui/jobs/job_threads.h"
 
@@ -10,6 +11,7 @@
 #include <QFile>
 #include <QSettings>
 
+#include <clocale>
 #include <cstdlib>
 #include <iostream>
 
@@ -41,6 +43,7 @@ int runEditor(int argc, char** argv) {
   const QtMessageHandler usual = qInstallMessageHandler(endOnFatal);
   const QApplication application(argc, argv);
   qInstallMessageHandler(usual);
+  std::setlocale(LC_NUMERIC, "C"); // Qt has set the system's, by which libraries write 0,5
   QApplication::setApplicationName("Espalier");
   QApplication::setOrganizationName("Espalier");
   QApplication::setApplicationVersion(QString::fromStdString(espalier::programVersion()));
@@ -50,6 +53,7 @@ int runEditor(int argc, char** argv) {
   espalier::reportCrashes(log.descriptor());
   espalier::setJobThreadStart(&espalier::reportCrashesOfThread);
   QSettings settings;
+  espalier::useLanguage(settings);
   espalier::MainWindow window(settings);
   QObject::connect(&window, &espalier::MainWindow::workedOn, [](const QString& project) {
     espalier::setWorkedOn(QFile::encodeName(project).toStdString());

@@ -164,7 +164,7 @@ ReportSection architecture(const Parts& parts) {
   ReportSection section{ReportText::tr("Architecture"), {}};
   ReportTable table;
   for (const TraitRow& row : traitRows(parts.data.measures.traits)) {
-    const QString group = ReportText::tr(row.group.c_str());
+    const QString group = shownText(row.group);
     if (table.caption != group) {
       if (!table.rows.empty()) section.blocks.emplace_back(table);
       table = {.caption = group,

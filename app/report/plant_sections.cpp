@@ -1,5 +1,6 @@
 #include "app/report/report_sections.h"
 #include "ui/document/hand_work_text.h"
+#include "ui/document/shown_text.h"
 
 #include <algorithm>
 
@@ -127,7 +128,7 @@ ReportTable lightTable(const ReportParts& parts) {
 } // namespace
 
 QString nameOf(const TraitRow& row, const ReportNumbers& numbers) {
-  const QString name = ReportText::tr(row.label.c_str());
+  const QString name = shownText(row.label);
   switch (row.kind) {
   case TraitKind::length:
     return numbers.inUnit(name);

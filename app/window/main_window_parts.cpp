@@ -27,6 +27,7 @@
 #include "app/window/files/sample_flow.h"
 #include "app/window/frame/action_set.h"
 #include "app/window/frame/help_flow.h"
+#include "app/window/frame/language_flow.h"
 #include "app/window/frame/panel_dock.h"
 #include "app/window/frame/theme_flow.h"
 #include "app/window/frame/tour_flow.h"
@@ -84,6 +85,7 @@ void MainWindow::makeParts() {
   makeEvaluation();
   makePreview(*pipeline);
   parts_.make<ThemeFlow>(ThemeFlow::Parts{*actions_, settings_, *this});
+  parts_.make<LanguageFlow>(*actions_, settings_);
   parts_.make<TourFlow>(TourFlow::Parts{document_, *actions_, settings_, *this});
   parts_.make<HelpFlow>(HelpFlow::Parts{*actions_, settings_, *this, [this] {
                                           return document_.isEmpty()

@@ -62,7 +62,8 @@ std::vector<Place> viewPlaces() {
       {"view/show_all"},
       line,
       {"", MainWindow::tr("Panels"), {{"panels"}, {"panels/evaluation"}, line, {"panels/layout"}}},
-      {"view/theme", MainWindow::tr("Theme")}};
+      {"view/theme", MainWindow::tr("Theme")},
+      {"view/language", MainWindow::tr("Language")}};
 }
 
 std::vector<Place> skeletonPlaces() {

@@ -1,5 +1,6 @@
 #include "core/evaluate/comparison.h"
 
+#include "core/base/shown.h"
 #include "core/evaluate/compared_plants.h"
 #include "core/evaluate/comparison_warnings.h"
 #include "core/evaluate/match/comparable.h"
@@ -119,8 +120,8 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
 
   Skeleton laid = result;
   if (options.registers) {
-    comparison.registration =
-        registration(result, reference, options.registration, progress.part(0, 0.6, "Registering"));
+    comparison.registration = registration(result, reference, options.registration,
+                                           progress.part(0, 0.6, Shown::tr("Registering")));
     laid = moved(result, comparison.registration->motion);
     warnOfShift(comparison, defaultTolerances(reference).front());
   }
@@ -131,9 +132,9 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
   if (!laidOptions.laidBefore) laidOptions.laidBefore = comparison.registration;
   ComparedPlants plants(laid, reference, laidOptions, progress.part(0.61, 0.63));
   static_cast<void>(plants.authors());
-  plants.with(progress.part(0.63, 0.68, "Counting edits"));
+  plants.with(progress.part(0.63, 0.68, Shown::tr("Counting edits")));
   warnOfEdits(comparison, plants, options.edit.unit);
-  plants.with(progress.part(0.68, 0.8, "Measuring distances"));
+  plants.with(progress.part(0.68, 0.8, Shown::tr("Measuring distances")));
   if (ofSize.empty()) warnOfMisfit(comparison, plants.tolerance());
   score(comparison, plants, progress.part(0.8, 0.95));
   const double near = plants.distance();
@@ -144,7 +145,7 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
                        progress.part(0.95, options.light ? 0.96 : 1));
   if (options.light) {
     comparison.resultLight = lightOf(comparison, uprightLaid, "the plant", *options.light,
-                                     progress.part(0.96, 0.98, "Measuring light"));
+                                     progress.part(0.96, 0.98, Shown::tr("Measuring light")));
     comparison.referenceLight = lightOf(comparison, uprightReference, "the reference",
                                         *options.light, progress.part(0.98, 1));
   }

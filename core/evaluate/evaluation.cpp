@@ -1,5 +1,6 @@
 #include "core/evaluate/evaluation.h"
 
+#include "core/base/shown.h"
 #include "core/evaluate/match/comparable.h"
 #include "core/skeleton/bounds.h"
 
@@ -54,7 +55,8 @@ Evaluation evaluate(const Skeleton& result, const Skeleton& reference,
   requireComparable(reference, "the reference");
   const std::vector<double> usual = defaultTolerances(reference);
   Evaluation made;
-  made.motion = referenceMotion(result, reference, options, progress.part(0, 0.5, "Registering"));
+  made.motion =
+      referenceMotion(result, reference, options, progress.part(0, 0.5, Shown::tr("Registering")));
   made.reference = moved(reference, made.motion);
   const Eigen::Vector3d middle = bounds(reference).center();
   made.shift = made.motion * middle - middle;
@@ -63,7 +65,7 @@ Evaluation evaluate(const Skeleton& result, const Skeleton& reference,
     made.registration = registration(result, reference, {.motion = made.motion.inverse()});
   made.tolerance = options.tolerance > 0 ? options.tolerance : usualTolerance(reference);
   made.differences = differences(result, made.reference, made.tolerance,
-                                 progress.part(0.5, 0.65, "Finding differences"));
+                                 progress.part(0.5, 0.65, Shown::tr("Finding differences")));
   ComparisonOptions compared;
   compared.registers = options.registers; // it lies there: only how well it fits is measured
   compared.registration.motion = Eigen::Isometry3d::Identity();
@@ -80,7 +82,7 @@ Evaluation evaluate(const Skeleton& result, const Skeleton& reference,
     compared.coverages = std::make_shared<const std::vector<double>>(
         coveragesOf(result, reference, made.motion, options.scan, progress.part(0.65, 0.7)));
   made.comparison =
-      compare(result, made.reference, compared, progress.part(0.7, 0.95, "Comparing"));
+      compare(result, made.reference, compared, progress.part(0.7, 0.95, Shown::tr("Comparing")));
   made.score = made.comparison.tolerance.scores.front();
   made.curve = toleranceCurve(result, made.reference,
                               {.distances = curveDistances(made.tolerance, usual.back())},

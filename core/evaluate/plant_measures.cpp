@@ -1,5 +1,6 @@
 #include "core/evaluate/plant_measures.h"
 
+#include "core/base/shown.h"
 #include "core/evaluate/comparison_warnings.h"
 #include "core/evaluate/match/comparable.h"
 #include "core/evaluate/registration/registration.h"
@@ -36,7 +37,8 @@ PlantMeasures plantMeasures(const Skeleton& plant, const PlantMeasureOptions& op
   if (const std::string trees = warningOfTrees(measures.traits); !trees.empty())
     measures.warnings.push_back(trees);
   if (options.light) {
-    measures.light = lightOn(upright, *options.light, progress.part(0, 1, "Measuring light"));
+    measures.light =
+        lightOn(upright, *options.light, progress.part(0, 1, Shown::tr("Measuring light")));
     if (!measures.light)
       measures.warnings.emplace_back(
           "the plant has no radii: its light is left out; estimate radii first");

@@ -2,6 +2,7 @@
 #include "core/evaluate/compared_plants.h"
 #include "core/evaluate/score_table.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -21,10 +22,10 @@ template <class Member> auto ofRadii(Member member) {
 
 /// Root mean square error where a quarter of the way around, from the k-th on, was seen.
 Score radiusByArc(std::size_t k) {
-  const std::string name =
-      "RMS, " + std::to_string(25 * k) + "–" + std::to_string(25 * (k + 1)) + " % seen";
+  constexpr std::array names = {Shown::tr("RMS, 0–25 % seen"), Shown::tr("RMS, 25–50 % seen"),
+                                Shown::tr("RMS, 50–75 % seen"), Shown::tr("RMS, 75–100 % seen")};
   return {.key = "radius_arc_" + std::to_string(k),
-          .label = name,
+          .label = names[k],
           .help = Shown::tr(
               "Root mean square error of radii where the scan has points on this much of the "
               "circumference of the wood"),

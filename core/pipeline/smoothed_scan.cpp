@@ -1,5 +1,6 @@
 #include "core/pipeline/smoothed_scan.h"
 
+#include "core/base/shown.h"
 #include "core/contract/fill_holes.h"
 #include "core/pipeline/method_parts.h"
 #include "core/pipeline/step_graph.h"
@@ -46,7 +47,7 @@ const Step& smoothingStep() {
 SmoothedScan smoothedScan(const std::shared_ptr<const PointCloud>& cloud,
                           const PipelineOptions& options, const std::optional<Rule>& widest,
                           const Progress& progress) {
-  CleanedScan cleaned = cleanedScan(cloud, options, progress.part(0, 0.2, "Clean"));
+  CleanedScan cleaned = cleanedScan(cloud, options, progress.part(0, 0.2, Shown::tr("Clean")));
   PipelineState& state = cleaned.state;
   SmoothedScan result{.scale = state.extent.scale, .steps = std::move(cleaned.steps)};
   const ChosenStep step{&smoothingStep(), chosenFor(smoothingStep(), options, result.scale)};
@@ -63,7 +64,7 @@ SmoothedScan smoothedScan(const std::shared_ptr<const PointCloud>& cloud,
                           {.widest = widest->value(result.scale),
                            .spacing = result.scale.spacing,
                            .radius = shape->options.radius},
-                          progress.part(0.6, 1, "Fill holes"));
+                          progress.part(0.6, 1, Shown::tr("Fill holes")));
   result.added = added.cols();
   result.points = joined(*cloud, kept, places, added, progress.part(1, 1));
   return result;

@@ -2,6 +2,7 @@
 
 #include "ui/dialogs/count_box.h"
 #include "ui/dialogs/scan_look.h"
+#include "ui/document/number_box.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -79,7 +80,7 @@ void PartForm::makeBox() {
     auto& ends = ends_[static_cast<std::size_t>(axis)];
     row->addWidget(new QLabel(tr("%1 from").arg(name), sides_), axis, 0);
     for (int end = 0; end < 2; ++end) {
-      auto* field = new QDoubleSpinBox(sides_);
+      auto* field = new NumberBox(sides_);
       field->setRange(-farthest, farthest);
       field->setObjectName(QStringLiteral("box_%1_%2").arg(name).arg(end == 0 ? "from" : "to"));
       field->setAccessibleName(end == 0 ? tr("%1 from").arg(name) : tr("%1 to").arg(name));

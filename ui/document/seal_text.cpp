@@ -62,7 +62,8 @@ QString findingsText(const SealedState& state) {
 QString signatureOf(const Seal& seal) {
   const QDateTime time = QDateTime::fromMSecsSinceEpoch(seal.time);
   return SealText::tr("%1 on %2")
-      .arg(QString::fromStdString(seal.author), QLocale::c().toString(time, "d MMM yyyy, HH:mm"));
+      .arg(QString::fromStdString(seal.author),
+           QLocale().toString(time, QStringLiteral("d MMM yyyy, HH:mm")));
 }
 
 std::vector<SealRow> sealRows(const Seal& seal, LengthUnit unit) {

@@ -1,6 +1,6 @@
 #include "ui/panels/clip_panel.h"
 
-#include "ui/panels/number_box.h"
+#include "ui/document/number_box.h"
 
 #include <QCheckBox>
 #include <QGridLayout>

@@ -1,10 +1,10 @@
 #include "ui/panels/evaluation_panel.h"
 
+#include "ui/document/number_box.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/evaluation_scores.h"
 #include "ui/panels/label_role.h"
-#include "ui/panels/number_box.h"
 
 #include <QAction>
 #include <QCheckBox>

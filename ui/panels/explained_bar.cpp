@@ -1,6 +1,6 @@
 #include "ui/panels/explained_bar.h"
 
-#include "ui/panels/number_box.h"
+#include "ui/document/number_box.h"
 #include "ui/panels/option_slider.h"
 
 #include <QHBoxLayout>

@@ -126,7 +126,7 @@ QString HistoryModel::timeOf(int position, bool isWhole) const {
   const QDateTime time = QDateTime::fromMSecsSinceEpoch(document_.step(position - 1).time);
   if (isWhole) return QLocale().toString(time, QLocale::LongFormat);
   if (time.date() == QDate::currentDate()) return time.toString(QStringLiteral("HH:mm:ss"));
-  return time.toString(QStringLiteral("d MMM yyyy HH:mm"));
+  return QLocale().toString(time, QStringLiteral("d MMM yyyy HH:mm"));
 }
 
 } // namespace espalier

@@ -1,11 +1,11 @@
 #include "ui/panels/inspector_panel.h"
 
 #include "core/skeleton/axes.h"
+#include "ui/document/number_box.h"
 #include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/cross_section_panel.h"
 #include "ui/panels/focus_keys.h"
-#include "ui/panels/number_box.h"
 #include "ui/panels/radius_text.h"
 #include "ui/panels/units_form.h"
 

@@ -1,9 +1,9 @@
 #include "ui/panels/node_filter.h"
 
 #include "core/base/error.h"
+#include "ui/document/typed_number.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QRegularExpression>
 #include <QStringList>
 
@@ -45,8 +45,11 @@ bool isSame(const QString& a, const QString& b) {
 } // namespace
 
 NodeFilter::NodeFilter(const QString& text) {
-  static const QRegularExpression parting(QStringLiteral("\\s+and\\s+|,"),
-                                          QRegularExpression::CaseInsensitiveOption);
+  // A comma between digits is one of a number.
+  const QRegularExpression parting(
+      QStringLiteral("\\s+(?:and|%1)\\s+|,(?!\\d)|(?<!\\d),")
+          .arg(QRegularExpression::escape(NodeFilterText::tr("and", "between two conditions"))),
+      QRegularExpression::CaseInsensitiveOption);
   for (const QString& part : text.split(parting))
     if (!part.trimmed().isEmpty()) conditions_.push_back(conditionOf(part.trimmed()));
 }
@@ -65,13 +68,12 @@ NodeFilter::Condition NodeFilter::conditionOf(const QString& text) {
   condition.comparison = static_cast<Comparison>(signs.indexOf(match.captured(2)));
   condition.text = match.captured(3);
   if (isNumber(condition.column)) {
-    bool isRead = false;
-    condition.number =
-        QLocale::c().toDouble(QString(condition.text).replace(QChar(0x2212), '-'), &isRead);
-    if (!isRead)
+    const std::optional<double> number = typedNumber(condition.text);
+    if (!number)
       throw Error(NodeFilterText::tr("%1 is compared with a number, as in “%1 > 10”")
                       .arg(keyOf(condition.column))
                       .toStdString());
+    condition.number = *number;
   } else if (condition.comparison > Comparison::unequal) {
     throw Error(NodeFilterText::tr("%1 is a text: compare it by = or !=")
                     .arg(keyOf(condition.column))

@@ -1,12 +1,11 @@
 #include "ui/panels/node_table_model.h"
 
 #include "ui/document/plant_document.h"
+#include "ui/document/typed_number.h"
 
-#include <QLocale>
 #include <QStringList>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -109,14 +108,12 @@ bool NodeTableModel::setData(const QModelIndex& index, const QVariant& value, in
     emit edgeChosen(id, text == "+" ? EdgeType::branching : EdgeType::successor);
     return true;
   }
-  bool isRead = false;
-  double radius = QLocale::c().toDouble(text, &isRead);
-  if (!isRead) radius = QLocale().toDouble(text, &isRead); // 12,5 where one writes it so
-  if (!isRead || radius < 0 || !std::isfinite(radius)) {
+  const std::optional<double> radius = typedNumber(text);
+  if (!radius || *radius < 0) {
     emit refused(tr("“%1” is no radius: type a number that is 0 or more").arg(text));
     return false;
   }
-  emit radiusTyped(id, radius);
+  emit radiusTyped(id, *radius);
   return true;
 }
 

@@ -1,7 +1,7 @@
 #include "ui/panels/registration_panel.h"
 
+#include "ui/document/number_box.h"
 #include "ui/panels/label_role.h"
-#include "ui/panels/number_box.h"
 #include "ui/panels/panel_button.h"
 #include "ui/panels/wide_enough.h"
 

@@ -1,5 +1,6 @@
 #include "ui/panels/status_line.h"
 
+#include "ui/document/shown_text.h"
 #include "ui/panels/time_left.h"
 
 #include <QHBoxLayout>
@@ -81,7 +82,7 @@ void StatusLine::showJob(const QString& name) {
 
 void StatusLine::showProgress(double fraction, const QString& stage) {
   bar_->setValue(static_cast<int>(1000 * fraction));
-  if (!stage.isEmpty()) jobName_->setText(stage);
+  if (!stage.isEmpty()) jobName_->setText(espalier::shownText(stage.toStdString()));
   const double seconds = static_cast<double>(elapsed_.elapsed()) / 1000;
   timeLeft_->setText(describeTimeLeft(secondsLeft(seconds, fraction)));
 }

@@ -1,6 +1,7 @@
 #include "ui/panels/traits_panel.h"
 
 #include "ui/document/plant_document.h"
+#include "ui/document/shown_text.h"
 #include "ui/panels/label_role.h"
 #include "ui/panels/panel_button.h"
 #include "ui/panels/trait_text.h"
@@ -172,12 +173,12 @@ QWidget* TraitsPanel::makePage(const PlantMeasures& measures, bool isLightStale)
 
 QWidget* TraitsPanel::makeGroup(const QString& name, const std::vector<TraitRow>& rows) {
   auto* group = new QWidget;
-  QGridLayout* grid = gridIn(*group, tr(qPrintable(name)), 2);
+  QGridLayout* grid = gridIn(*group, shownText(name.toStdString()), 2);
   int place = 1;
   for (const TraitRow& row : rows) {
-    QString text = tr(row.label.c_str());
+    QString text = shownText(row.label);
     text[0] = text[0].toUpper();
-    const QString help = tr(row.help.c_str());
+    const QString help = shownText(row.help);
     auto* label = new QLabel(text);
     label->setToolTip(help);
     grid->addWidget(label, place, 0);

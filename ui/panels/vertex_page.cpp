@@ -1,10 +1,10 @@
 #include "ui/panels/vertex_page.h"
 
+#include "ui/document/length_unit.h"
 #include "ui/panels/vertex_model.h"
 
 #include <QHeaderView>
 #include <QLabel>
-#include <QLocale>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -87,7 +87,8 @@ QString describe(const Mtg& mtg) {
   for (const auto& [scale, counts] : classes) {
     QStringList parts;
     for (const auto& [symbol, count] : counts)
-      parts.append(QLocale().toString(count) + ' ' + QString::fromStdString(symbol));
+      parts.append(formatCount(static_cast<std::size_t>(count)) + ' ' +
+                   QString::fromStdString(symbol));
     sentences.append(VertexPage::tr("Scale %1: %2").arg(scale).arg(parts.join(", ")));
   }
   sentences.append(VertexPage::tr("Edges: %1 <, %2 +").arg(successors).arg(branchings));

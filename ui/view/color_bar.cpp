@@ -1,5 +1,6 @@
 #include "ui/view/color_bar.h"
 
+#include "ui/document/typed_number.h"
 #include "ui/view/overlay_text.h"
 #include "ui/view/palette.h"
 #include "ui/view/value_field.h"
@@ -160,7 +161,7 @@ void ColorBar::type(End end) {
 
 void ColorBar::takeTyped(End end, const QString& text) {
   ValueRange typed = range();
-  const std::optional<double> number = numberIn(text);
+  const std::optional<double> number = typedNumber(text);
   if (number) (end == End::from ? typed.from : typed.to) = *number;
   if (!number || !(typed.from < typed.to)) {
     const QString other = rangeNumber(end == End::from ? typed.to : typed.from, range());

@@ -1,10 +1,7 @@
 #include "ui/view/value_field.h"
 
 #include <QKeyEvent>
-#include <QLocale>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace espalier {
@@ -45,14 +42,6 @@ void ValueField::close(bool takes, bool goesOn) {
   hide();
   deleteLater();
   if (takes) emit typed(text(), goesOn);
-}
-
-std::optional<double> numberIn(QString text) {
-  text.removeIf([](QChar letter) { return letter.isSpace(); });
-  text.replace(',', '.').replace(QChar(0x2212), '-'); // as it is written
-  bool isNumber = false;
-  const double number = QLocale::c().toDouble(text, &isNumber);
-  return isNumber && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
 } // namespace espalier

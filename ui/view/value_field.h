@@ -2,8 +2,6 @@
 
 #include <QLineEdit>
 
-#include <optional>
-
 namespace espalier {
 
 /// A field over the view for one number. Enter takes it, Tab takes it and goes on, Escape does not;
@@ -27,8 +25,5 @@ private:
 
   bool isOpen_ = false;
 };
-
-/// The number that a text is, with a point or a comma and any spaces; none if it is none.
-[[nodiscard]] std::optional<double> numberIn(QString text);
 
 } // namespace espalier

@@ -3,7 +3,6 @@
 #include "app/window/edit/editing.h"
 #include "app/window/frame/action_set.h"
 #include "core/base/error.h"
-#include "ui/tools/move_node_tool.h"
 
 #include <QAction>
 #include <QActionGroup>

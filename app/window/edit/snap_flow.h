@@ -1,8 +1,7 @@
 #pragma once
 
 #include "app/window/frame/window_part.h"
-
-#include <cstdint>
+#include "ui/tools/move_node_tool.h"
 
 class QSettings;
 
@@ -10,9 +9,7 @@ namespace espalier {
 
 class ActionSet;
 class Editing;
-class MoveNodeTool;
 class PlantDocument;
-enum class Snap : std::uint8_t;
 
 /// What nodes that are dragged snap to: a choice in a menu, remembered in the settings.
 class SnapFlow : public WindowPart {

@@ -3,7 +3,7 @@
 #include "ui/document/number_scale.h"
 #include "ui/document/shown_text.h"
 
-#include <QObject>
+#include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
@@ -12,6 +12,10 @@
 
 namespace espalier {
 namespace {
+
+struct OptionsText {
+  Q_DECLARE_TR_FUNCTIONS(OptionsText)
+};
 
 /// To three digits, without zeros at the end.
 QString shortNumber(double value) {
@@ -46,9 +50,11 @@ constexpr std::string_view axisNames = "xyz"; // in the order of UpAxis
 QStringList changesOfScan(const PipelineOptions& before, const PipelineOptions& after) {
   QStringList parts;
   if (after.up != before.up)
-    parts.append(QObject::tr("Up: %1").arg(QChar(axisNames[static_cast<std::size_t>(after.up)])));
+    parts.append(
+        OptionsText::tr("Up: %1").arg(QChar(axisNames[static_cast<std::size_t>(after.up)])));
   if (after.root != before.root)
-    parts.append(after.root ? QObject::tr("Root: picked") : QObject::tr("Root: lowest point"));
+    parts.append(after.root ? OptionsText::tr("Root: picked")
+                            : OptionsText::tr("Root: lowest point"));
   return parts;
 }
 

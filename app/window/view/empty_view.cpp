@@ -10,34 +10,29 @@
 namespace espalier {
 namespace {
 
+struct EmptyViewText {
+  Q_DECLARE_TR_FUNCTIONS(EmptyView)
+};
+
 QString wordFor(InView seen, const ActionSet& actions) {
-  const auto tr = [](const char* text) {
-    return QCoreApplication::translate("espalier::EmptyView", text);
-  };
   switch (seen) {
   case InView::plant:
     return {};
   case InView::layersOff:
-    return tr(QT_TRANSLATE_NOOP("espalier::EmptyView",
-                                "All layers are off: choose one in View > Layers"));
+    return EmptyViewText::tr("All layers are off: choose one in View > Layers");
   case InView::clipped:
-    return withKeys(tr(QT_TRANSLATE_NOOP("espalier::EmptyView",
-                                         "Nothing lies in the slab or the box of Clipping here.   "
-                                         "{show_all} shows all of the plant")),
+    return withKeys(EmptyViewText::tr("Nothing lies in the slab or the box of Clipping here.   "
+                                      "{show_all} shows all of the plant"),
                     actions);
   case InView::hidden:
     if (!actions["show_all"]->isEnabled()) // points alone
-      return tr(QT_TRANSLATE_NOOP(
-          "espalier::EmptyView", "The points that are here are set aside, or hidden as explained"));
-    return withKeys(tr(QT_TRANSLATE_NOOP("espalier::EmptyView",
-                                         "What is here is hidden.   {show_all} shows all of the "
-                                         "plant")),
+      return EmptyViewText::tr("The points that are here are set aside, or hidden as explained");
+    return withKeys(EmptyViewText::tr("What is here is hidden.   {show_all} shows all of the "
+                                      "plant"),
                     actions);
   case InView::beside:
-    return withKeys(
-        tr(QT_TRANSLATE_NOOP("espalier::EmptyView",
-                             "The plant is not in view.   {frame_all} shows all of it")),
-        actions);
+    return withKeys(EmptyViewText::tr("The plant is not in view.   {frame_all} shows all of it"),
+                    actions);
   }
   return {};
 }

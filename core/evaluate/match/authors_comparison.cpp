@@ -1,6 +1,7 @@
 #include "core/evaluate/match/authors_comparison.h"
 
 #include "core/base/parallel.h"
+#include "core/base/shown.h"
 #include "core/evaluate/match/assignment.h"
 #include "core/evaluate/match/comparable.h"
 #include "core/evaluate/match/segment_matches.h"
@@ -156,10 +157,11 @@ AuthorsComparison authorsComparison(const Skeleton& result, const Skeleton& refe
   AssignmentProblem problem;
   problem.rowAlone = lengths(comparison.resultSegments);
   problem.columnAlone = lengths(comparison.referenceSegments);
-  problem.candidates = allCandidates(comparison, progress.part(0, 0.7, "Comparing segments"));
+  problem.candidates =
+      allCandidates(comparison, progress.part(0, 0.7, Shown::tr("Comparing segments")));
   settleEqualPairs(problem.candidates, problem.columnAlone.size());
   const Assignment assignment =
-      leastCostAssignment(problem, progress.part(0.7, 1, "Matching segments"));
+      leastCostAssignment(problem, progress.part(0.7, 1, Shown::tr("Matching segments")));
 
   comparison.cost = assignment.cost;
   noteMatches(comparison, problem.candidates, assignment.columnOfRow);

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/shown.h"
 #include "core/base/text.h"
 #include "core/evaluate/match/comparable.h"
 #include "core/evaluate/registration/registration.h"
@@ -92,7 +93,7 @@ NoiseStudy noiseStudy(const Skeleton& reference, const NoiseOptions& options,
         runs.push_back({each.kind, level, options.seed + i});
 
   std::vector<PlantScores> scores(runs.size());
-  const Progress whole = progress.part(0, 1, "Comparing plants");
+  const Progress whole = progress.part(0, 1, Shown::tr("Comparing plants"));
   const Progress stopOnly = whole.part(0, 0); // plants come at once: none knows how far all are
   parallelFor(
       static_cast<Eigen::Index>(runs.size()),

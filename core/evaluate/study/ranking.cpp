@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/base/shown.h"
 #include "core/base/text.h"
 #include "core/evaluate/match/comparable.h"
 #include "core/evaluate/match/segment_shares.h"
@@ -106,11 +107,11 @@ Ranking ranking(const std::vector<Skeleton>& results, const Skeleton& reference,
   for (std::size_t i = 0; i < results.size(); ++i) {
     const auto part = static_cast<double>(i);
     const Progress mine =
-        progress.part(0.9 * part / all, 0.9 * (part + 1) / all, "Result " + std::to_string(i + 1));
+        progress.part(0.9 * part / all, 0.9 * (part + 1) / all, Shown::tr("Comparing results"));
     candidates.push_back(candidateOf(results[i], reference, options, found.distance, mine));
     candidates.back().ranked.result = i;
   }
-  drawAll(candidates, options, progress.part(0.9, 1, "Drawing"));
+  drawAll(candidates, options, progress.part(0.9, 1, Shown::tr("Drawing")));
   std::ranges::stable_sort(candidates, [&](const Candidate& a, const Candidate& b) {
     return a.ranked.scores.at(options.by).value > b.ranked.scores.at(options.by).value;
   });

@@ -11,7 +11,9 @@ namespace espalier {
 
 /// A field for a number, which may be typed with a unit as on the command line: see typedValue().
 /// Where its suffix is a unit of length, "3 cm" where lengths are in m becomes "0.03 m"; where the
-/// plant has a scale, "6 sp" becomes the length that 6 spacings are.
+/// plant has a scale, "6 sp" becomes the length that 6 spacings are. A comma typed for the point is
+/// taken; what is shown has the point whatever the system writes, as all numbers of the window do,
+/// and all files.
 ///
 /// What is beyond the range becomes its nearest end once the typing is over. A letter that no
 /// number has is not taken, and a tip below the field says what is.
@@ -19,7 +21,7 @@ class NumberBox : public QDoubleSpinBox {
   Q_OBJECT
 
 public:
-  using QDoubleSpinBox::QDoubleSpinBox;
+  explicit NumberBox(QWidget* parent = nullptr);
 
   [[nodiscard]] QValidator::State validate(QString& text, int& cursor) const override;
   [[nodiscard]] double valueFromText(const QString& text) const override;

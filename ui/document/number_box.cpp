@@ -1,4 +1,4 @@
-#include "ui/panels/number_box.h"
+#include "ui/document/number_box.h"
 
 #include "ui/document/length_unit.h"
 
@@ -12,6 +12,10 @@
 #include <vector>
 
 namespace espalier {
+
+NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
+  setLocale(QLocale::c());
+}
 
 /// How much one of `unit` is in this field; none: nobody knows.
 std::optional<double> NumberBox::factorOf(ValueUnit unit) const {

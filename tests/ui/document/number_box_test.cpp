@@ -1,4 +1,4 @@
-#include "ui/panels/number_box.h"
+#include "ui/document/number_box.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -8238,7 +8238,7 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
     <message>
         <source>Stop %1 of %2</source>
-        <translation>Arrêt %1 sur %2</translation>
+        <translation>Arrêt %1/%2</translation>
     </message>
     <message>
         <source>: no wood</source>

@@ -124,7 +124,7 @@ void CleanPanel::addResult(QVBoxLayout& column, const Actions& actions) {
   for (QPushButton* button : {again_, setAside_, cancel_}) {
     button->setMinimumWidth(40);
     button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // they widen no panel
-    found->addWidget(button, 1);
+    found->addWidget(button, button->sizeHint().width());            // each as its text needs
   }
   QHBoxLayout* other = makeRow(column);
   other->addWidget(sharingButton(*actions.keepOnly, tr("Keep Only")));

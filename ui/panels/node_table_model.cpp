@@ -108,7 +108,8 @@ bool NodeTableModel::setData(const QModelIndex& index, const QVariant& value, in
     emit edgeChosen(id, text == "+" ? EdgeType::branching : EdgeType::successor);
     return true;
   }
-  const std::optional<double> radius = typedNumber(text);
+  const bool isOne = !text.contains(' '); // not two numbers
+  const std::optional<double> radius = isOne ? typedNumber(text) : std::nullopt;
   if (!radius || *radius < 0) {
     emit refused(tr("“%1” is no radius: type a number that is 0 or more").arg(text));
     return false;

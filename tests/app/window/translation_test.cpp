@@ -1,16 +1,35 @@
-// The window in another language: which it has, and what its translation keeps of each text.
+// The window in another language: which it has, that each text it shows can be translated, and that
+// the French ones have room.
 #include "app/window/frame/action_set.h"
 #include "app/window/frame/language.h"
 #include "app/window/frame/language_flow.h"
+#include "tests/app/window/asked_texts.h"
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/shared_data.h"
 #include "ui/document/shown_text.h"
 
+#include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QDockWidget>
 #include <QFile>
+#include <QFileDialog>
+#include <QGroupBox>
+#include <QHeaderView>
+#include <QLabel>
 #include <QLibraryInfo>
+#include <QLineEdit>
+#include <QMenuBar>
 #include <QRegularExpression>
 #include <QSignalSpy>
+#include <QSpinBox>
+#include <QTabBar>
+#include <QTextDocumentFragment>
+#include <QTimer>
+#include <QToolButton>
 #include <QTranslator>
 #include <QXmlStreamReader>
 
@@ -72,6 +91,242 @@ TEST_F(LanguageTest, IsThatOfTheTextsOfQtAndOfDates) {
   QLocale::setDefault(before);
 }
 
+/// Puts brackets around each text that is translated, those of Qt, too: what stands outside of them
+/// is not. Names of keys are as they are: they are compared.
+class Brackets : public QTranslator {
+public:
+  [[nodiscard]] bool isEmpty() const override { return false; }
+  [[nodiscard]] QString translate(const char* context, const char* source, const char* /*comment*/,
+                                  int /*n*/) const override {
+    const bool isText =
+        source != nullptr && *source != '\0' && QByteArrayView(context) != "QShortcut";
+    return isText ? "⟦" + QString::fromUtf8(source) + "⟧" : QString();
+  }
+};
+
+/// With the next named one above it: "review (QPushButton)".
+QString nameOf(const QWidget& widget) {
+  for (const QWidget* each = &widget; each != nullptr; each = each->parentWidget())
+    if (!each->objectName().isEmpty())
+      return QStringLiteral("%1 (%2)").arg(each->objectName(), widget.metaObject()->className());
+  return widget.metaObject()->className();
+}
+
+/// Whether it shows names of libraries, or the manual, which is in English.
+bool isData(const QWidget& widget) {
+  return widget.objectName() == "about_libraries" ||
+         widget.window()->objectName() == "manual_window";
+}
+
+struct ShownAt {
+  QString text;
+  QString where;
+};
+
+class ShownTexts {
+public:
+  explicit ShownTexts(const QWidget& root) {
+    add(root);
+    for (const QWidget* widget : root.findChildren<QWidget*>())
+      add(*widget);
+  }
+  [[nodiscard]] const QList<ShownAt>& all() const { return all_; }
+
+private:
+  void add(const QWidget& widget) {
+    if (isData(widget)) return;
+    const QString name = nameOf(widget);
+    const auto note = [&](const QString& text, const char* what) {
+      if (!text.isEmpty()) all_.append({text, name + ' ' + what});
+    };
+    note(widget.toolTip(), "tip");
+    note(widget.statusTip(), "status tip");
+    note(widget.whatsThis(), "what's this");
+    note(widget.accessibleName(), "accessible name");
+    note(widget.accessibleDescription(), "accessible description");
+    if (widget.isWindow() || qobject_cast<const QDockWidget*>(&widget) != nullptr)
+      note(widget.windowTitle(), "title");
+    for (const QAction* action : widget.actions()) {
+      note(action->text(), "action");
+      note(action->toolTip(), "tip of an action");
+      note(action->statusTip(), "status tip of an action");
+    }
+    if (const auto* label = qobject_cast<const QLabel*>(&widget)) note(label->text(), "label");
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget))
+      note(button->text(), "button");
+    if (const auto* group = qobject_cast<const QGroupBox*>(&widget)) note(group->title(), "group");
+    if (const auto* line = qobject_cast<const QLineEdit*>(&widget))
+      note(line->placeholderText(), "placeholder");
+    if (const auto* tabs = qobject_cast<const QTabBar*>(&widget))
+      for (int i = 0; i < tabs->count(); ++i)
+        note(tabs->tabText(i), "tab");
+    if (const auto* number = qobject_cast<const QSpinBox*>(&widget)) {
+      note(number->prefix(), "prefix");
+      note(number->suffix(), "suffix");
+      note(number->specialValueText(), "special value");
+    }
+    if (const auto* number = qobject_cast<const QDoubleSpinBox*>(&widget)) {
+      note(number->prefix(), "prefix");
+      note(number->suffix(), "suffix");
+      note(number->specialValueText(), "special value");
+    }
+    if (const auto* choice = qobject_cast<const QComboBox*>(&widget))
+      for (int i = 0; i < choice->count(); ++i) {
+        note(choice->itemText(i), "item");
+        note(choice->itemData(i, Qt::ToolTipRole).toString(), "tip of an item");
+      }
+    else if (const auto* view = qobject_cast<const QAbstractItemView*>(&widget);
+             view != nullptr && view->model() != nullptr &&
+             qobject_cast<const QHeaderView*>(view) == nullptr)
+      addModel(*view->model(), {}, name);
+  }
+
+  void addModel(const QAbstractItemModel& model, const QModelIndex& parent, const QString& name) {
+    for (const int role : {Qt::DisplayRole, Qt::ToolTipRole}) {
+      for (int column = 0; column < model.columnCount(parent); ++column) {
+        const QVariant head = model.headerData(column, Qt::Horizontal, role);
+        if (!head.toString().isEmpty() && !parent.isValid())
+          all_.append({head.toString(), name + " head"});
+      }
+      for (int row = 0; row < std::min(model.rowCount(parent), 60); ++row)
+        for (int column = 0; column < model.columnCount(parent); ++column) {
+          const QVariant cell = model.index(row, column, parent).data(role);
+          if (!cell.toString().isEmpty()) all_.append({cell.toString(), name + " cell"});
+        }
+    }
+    for (int row = 0; row < std::min(model.rowCount(parent), 60); ++row)
+      if (const QModelIndex child = model.index(row, 0, parent); model.hasChildren(child))
+        addModel(model, child, name);
+  }
+
+  QList<ShownAt> all_;
+};
+
+/// What is left of a text without that in brackets, its tags, and what no language changes.
+QString untranslated(QString text) {
+  if (Qt::mightBeRichText(text)) text = QTextDocumentFragment::fromHtml(text).toPlainText();
+  static const QRegularExpression innermost("⟦[^⟦⟧]*⟧");
+  while (text.contains(innermost))
+    text.remove(innermost);
+  // Sentences that core joins of pieces are in English still: findings, edits that are refused, and
+  // what a step notes of its result.
+  static const QRegularExpression ofCore(
+      "^\\W*(an axis begins at|node \\d+ |the axis |the branch |the edge to |the wood at |"
+      "the points of the stem |bare twig, |there is (no|one) node |\\d+ of \\d+ nodes are not |"
+      "prune: about |about \\d+ of the ).*",
+      QRegularExpression::CaseInsensitiveOption);
+  text.remove(ofCore);
+  static const QRegularExpression same(
+      "\\b(MTG|Espalier|English|Français|Ctrl|Shift|Alt|Del|Esc|Space|Return|Enter|Tab|Backspace|"
+      "Num|Home|End|PgUp|PgDown|Left|Right|Up|Down|Ins|F[0-9]+|XYZ|kg)\\b");
+  text.remove(same);
+  static const QRegularExpression word("[A-Za-zÀ-ÿ]{3,}");
+  return word.match(text).hasMatch() ? text.simplified() : QString();
+}
+
+/// Labels and buttons that are seen but have less room than their text needs. The status line and
+/// the tabs of docks end in dots where there is no more, in every language, and give the whole as a
+/// tip; long names of methods do so in their list.
+QStringList cutOff(const QWidget& root) {
+  QStringList found;
+  for (const QWidget* widget : root.findChildren<QWidget*>()) {
+    const bool isSeen = widget->isVisible() && !widget->visibleRegion().isEmpty();
+    if (!isSeen || nameOf(*widget->parentWidget()).startsWith("status_line")) continue;
+    QString text;
+    int needed = 0;
+    if (const auto* label = qobject_cast<const QLabel*>(widget)) {
+      text = label->text();
+      if (!label->wordWrap() && !Qt::mightBeRichText(text))
+        needed = label->fontMetrics().size(0, text).width(); // of its longest line
+    } else if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) {
+      const auto* tool = qobject_cast<const QToolButton*>(widget);
+      if (tool != nullptr && tool->toolButtonStyle() == Qt::ToolButtonIconOnly &&
+          !tool->icon().isNull())
+        continue;
+      text = button->text().remove('&');
+      const int icon = button->icon().isNull() ? 0 : button->iconSize().width() + 4;
+      needed = button->fontMetrics().horizontalAdvance(text) + icon;
+    }
+    if (!text.isEmpty() && widget->width() < needed)
+      found.append(QStringLiteral("%1: %2, %3 of %4 px")
+                       .arg(nameOf(*widget), text)
+                       .arg(widget->width())
+                       .arg(needed));
+  }
+  return found;
+}
+
+class TranslationTest : public test::WindowTest {
+protected:
+  using Look = std::function<void(const QWidget&)>;
+
+  /// Opens a scan, makes its skeleton, runs each command, shows each panel, and looks at the window
+  /// after each, and at each dialog that opens.
+  void walk(const Look& take) {
+    const Look look = [&take](const QWidget& widget) {
+      for (int i = 0; i < 10; ++i) // layouts follow their contents in events
+        QCoreApplication::processEvents();
+      take(widget);
+    };
+    look(window());
+    window().open({writeScan("plant.xyz")});
+    waitForJob();
+    action("reconstruct").trigger();
+    waitForJob();
+    window().resize(1280, 800);
+    look(window());
+    QTimer dialogs;
+    QObject::connect(&dialogs, &QTimer::timeout, [&] {
+      if (QWidget* menu = QApplication::activePopupWidget()) menu->close();
+      auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+      if (dialog == nullptr) return;
+      if (qobject_cast<QFileDialog*>(dialog) == nullptr) take(*dialog); // that is Qt's
+      dialog->reject();
+    });
+    dialogs.start(0);
+    for (QAction* each : window().actionSet().all()) {
+      const QString id = each->objectName();
+      const bool isEnd = id == "quit" || id == "new_plant" || id == "close_plant" ||
+                         id == "sample_plant" || id.startsWith("language_");
+      if (isEnd || !each->isEnabled()) continue;
+      each->trigger();
+      waitForJob();
+      look(window());
+      for (const QWidget* other : QApplication::topLevelWidgets())
+        if (other != &window() && other->isVisible() && other->inherits("QDialog")) look(*other);
+    }
+    for (QDockWidget* dock : window().findChildren<QDockWidget*>()) {
+      dock->show();
+      dock->raise();
+      look(window());
+    }
+    dialogs.stop();
+  }
+};
+
+TEST_F(TranslationTest, CoversAllThatTheWindowShows) {
+  Brackets brackets;
+  QApplication::installTranslator(&brackets);
+  restart();
+  QMap<QString, QString> found;
+  int count = 0;
+  walk([&](const QWidget& root) {
+    const ShownTexts texts(root);
+    for (const ShownAt& shown : texts.all()) {
+      ++count;
+      QString text = shown.text;
+      text.remove(path("")); // names of files
+      text.remove("plant.xyz");
+      const QString rest = untranslated(text);
+      if (!rest.isEmpty()) found[rest] = shown.where;
+    }
+  });
+  QApplication::removeTranslator(&brackets);
+  EXPECT_GT(count, 10'000);
+  for (auto each = found.begin(); each != found.end(); ++each)
+    ADD_FAILURE() << each.value().toStdString() << ": " << each.key().toStdString();
+}
+
 /// All parts of a text that this finds, sorted.
 QStringList partsOf(const QString& text, const QRegularExpression& part) {
   QStringList parts;
@@ -107,6 +362,20 @@ TEST(TranslationFile, KeepsValuesTagsKeysAndLinesOfEachText) {
     }
   }
   EXPECT_GT(count, 3000);
+}
+
+TEST_F(TranslationTest, HasRoomForTheFrenchTexts) {
+  QTranslator french;
+  ASSERT_TRUE(french.load("espalier_fr", ":/translations"));
+  QApplication::installTranslator(&french);
+  restart();
+  EXPECT_TRUE(window().menuBar()->actions().front()->text().contains("Fichier"));
+  QStringList found;
+  walk([&](const QWidget& root) { found += cutOff(root); });
+  QApplication::removeTranslator(&french);
+  found.removeDuplicates();
+  for (const QString& each : found)
+    ADD_FAILURE() << each.toStdString();
 }
 
 } // namespace

@@ -4521,6 +4521,18 @@
         <source>Ignore</source>
         <translation>Ignorer</translation>
     </message>
+    <message>
+        <source>Add %1 of %2</source>
+        <translation>Ajouter %1 de %2</translation>
+    </message>
+    <message>
+        <source>Remove %1 that %2 lacks</source>
+        <translation>Supprimer %1, absent de %2</translation>
+    </message>
+    <message>
+        <source>Attach node %1 as %2</source>
+        <translation>Rattacher nœud %1 comme dans %2</translation>
+    </message>
 </context>
 <context>
     <name>espalier::EvaluationFlow</name>
@@ -5235,10 +5247,6 @@
         <translation>Manuel</translation>
     </message>
     <message>
-        <source>How things are done</source>
-        <translation>Comment faire les choses</translation>
-    </message>
-    <message>
         <source>Shortcuts</source>
         <translation>Raccourcis</translation>
     </message>
@@ -5253,6 +5261,10 @@
     <message>
         <source>Its version and license, and those of all libraries</source>
         <translation>Sa version et sa licence, et celles de toutes les bibliothèques</translation>
+    </message>
+    <message>
+        <source>Opens at the chapter of the panel, tool or dialog that you are in</source>
+        <translation>S&apos;ouvre au chapitre du panneau, de l&apos;outil ou du dialogue où vous êtes</translation>
     </message>
 </context>
 <context>
@@ -5768,10 +5780,6 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <translation>Annulé&#xa0;: rien n’a changé</translation>
     </message>
     <message>
-        <source>Espalier crashed when it was last used. What happened is in %1</source>
-        <translation>Espalier s’est arrêté brutalement lors de sa dernière utilisation. Ce qui s’est passé se trouve dans %1</translation>
-    </message>
-    <message>
         <source>; what was done until then is saved in %1</source>
         <translation>&#xa0;; ce qui était fait jusque-là est enregistré dans %1</translation>
     </message>
@@ -5975,12 +5983,37 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <source>Color By</source>
         <translation>Colorer selon</translation>
     </message>
+    <message>
+        <source>Espalier crashed on %1. What happened is in %2</source>
+        <translation>Espalier s&apos;est arrêté brutalement le %1. Ce qui s&apos;est passé est dans %2</translation>
+    </message>
 </context>
 <context>
     <name>espalier::ManualWindow</name>
     <message>
         <source>Manual</source>
         <translation>Manuel</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>◂ Back</source>
+        <translation>◂ Retour</translation>
+    </message>
+    <message>
+        <source>Forward ▸</source>
+        <translation>Suivant ▸</translation>
+    </message>
+    <message>
+        <source>Nothing has all of these words</source>
+        <translation>Rien ne contient tous ces mots</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <comment>the folder of the chapters in this language: fr</comment>
+        <translation>fr</translation>
     </message>
 </context>
 <context>
@@ -7566,6 +7599,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>%1 is the reference again</source>
+        <translation>%1 est de nouveau la référence</translation>
     </message>
 </context>
 <context>
@@ -12006,6 +12043,22 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <source>Fill holes</source>
         <translation>Remplissage des trous</translation>
     </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>Where the thin wood is at most so many point spacings thick, all points are kept.</source>
+        <translation>Là où l&apos;épaisseur du bois mince ne dépasse pas ce nombre d&apos;espacements des points, tous les points sont gardés.</translation>
+    </message>
+    <message>
+        <source>As needed</source>
+        <translation>Selon le besoin</translation>
+    </message>
+    <message>
+        <source>Where the wood is many point spacings thick, keeps as many points as give the skeleton of which the most is probably right.</source>
+        <translation>Là où le bois a une épaisseur de nombreux espacements, garde autant de points qu&apos;il en faut pour le squelette dont la plus grande part est probablement juste.</translation>
+    </message>
 </context>
 <context>
     <name>espalier::ShownFlow</name>
@@ -12591,6 +12644,52 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>Dark</source>
         <translation>Sombre</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::TourFlow</name>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Tour in Three Steps</source>
+        <translation>Visite en trois étapes</translation>
+    </message>
+    <message>
+        <source>Shows where the skeleton is found, what is in doubt, and how to sign</source>
+        <translation>Montre où trouver le squelette, ce qui est douteux et comment signer</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Étape %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fait</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Find the skeleton: press Reconstruct, or %1.</source>
+        <translation>Trouver le squelette&#xa0;: appuyez sur Reconstruire, ou sur %1.</translation>
+    </message>
+    <message>
+        <source>Look at what is in doubt: %1 asks about what the program is not sure of, %2 goes to places that look wrong.</source>
+        <translation>Regarder ce qui est douteux&#xa0;: %1 pose des questions sur ce dont le programme n&apos;est pas sûr, %2 va aux endroits qui semblent faux.</translation>
+    </message>
+    <message>
+        <source>Sign: %1 opens the review. It shows the plant part by part; Enter marks what is right. Sign Structure… then seals it.</source>
+        <translation>Signer&#xa0;: %1 ouvre la révision. Elle montre la plante partie par partie&#xa0;; Entrée marque ce qui est juste. Signer la structure… la scelle ensuite.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::TourHint</name>
+    <message>
+        <source>Leave the Tour</source>
+        <translation>Quitter la visite</translation>
     </message>
 </context>
 <context>
@@ -13762,6 +13861,10 @@ Chargez une référence pour voir comment les deux s’accordent.</translation>
         <source>the worklist has no project of a second annotator for the plant that is open</source>
         <translation>la liste de travail n’a pas de projet d’un second annotateur pour la plante ouverte</translation>
     </message>
+    <message>
+        <source>the plants that are still to be signed are open in other windows</source>
+        <translation>les plantes encore à signer sont ouvertes dans d&apos;autres fenêtres</translation>
+    </message>
 </context>
 <context>
     <name>espalier::WorklistModel</name>
@@ -13907,6 +14010,10 @@ Chargez une référence pour voir comment les deux s’accordent.</translation>
     <message>
         <source>No plant of the worklist is in this state.</source>
         <translation>Aucune plante de la liste de travail n’est dans cet état.</translation>
+    </message>
+    <message>
+        <source>The worklist is being read.</source>
+        <translation>La liste de travail est en cours de lecture.</translation>
     </message>
 </context>
 <context>

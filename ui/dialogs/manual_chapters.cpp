@@ -1,9 +1,11 @@
 #include "ui/dialogs/manual_chapters.h"
 
 #include "core/pipeline/option_text.h"
+#include "core/pipeline/pipeline_options.h"
 #include "core/pipeline/registry.h"
 #include "ui/document/shown_text.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QRegularExpression>
 #include <QStringList>
@@ -20,6 +22,14 @@ namespace {
 QByteArray resourceNamed(const QString& name) {
   QFile file(QStringLiteral(":/manual/") + name);
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// A chapter in this language, where there is one, else in English. Its pictures and links are
+/// those beside the English one.
+QString chapterNamed(const QString& file, const QString& language) {
+  const QString text = QString::fromUtf8(resourceNamed(language + '/' + file));
+  return text.isEmpty() ? QString::fromUtf8(resourceNamed(file))
+                        : QString(text).replace(QStringLiteral("](../"), QStringLiteral("]("));
 }
 
 QString shown(const std::string& text) {
@@ -66,7 +76,7 @@ QString optionPictures(const Step& step, const Method& method) {
 QString methodsOf(const Step& step) {
   QString text = QStringLiteral("## %1\n\n%2%3\n")
                      .arg(shownText(step.label), shownText(step.help),
-                          step.isOptional ? QStringLiteral(" Off at first.") : QString());
+                          isOff(step, {}) ? QStringLiteral(" Off at first.") : QString());
   for (const Method& method : step.methods) {
     text += QStringLiteral("\n### %1: %2\n\n`--set %3.method=%4`%5. %6")
                 .arg(shownText(step.label), shownText(method.label), shown(step.name),
@@ -101,7 +111,9 @@ QString titleOf(const QString& text) {
   return heading.match(text).captured(1);
 }
 
-std::vector<ManualChapter> readChapters() {
+} // namespace
+
+std::vector<ManualChapter> manualChaptersIn(const QString& language) {
   useManual();
   const QString first = QStringLiteral("README.md");
   static const QRegularExpression link(QStringLiteral("^- \\[[^\\]]+\\]\\(([a-z0-9-]+\\.md)\\)$"));
@@ -109,9 +121,9 @@ std::vector<ManualChapter> readChapters() {
   QStringList list;
   for (const QString& line : QString::fromUtf8(resourceNamed(first)).split('\n')) {
     const QString file = link.match(line).captured(1);
-    const QString text = QString::fromUtf8(resourceNamed(file));
+    const QString text = file.isEmpty() ? QString() : chapterNamed(file, language);
     if (!file.isEmpty() && text.isEmpty()) continue;
-    list.append(line);
+    list.append(file.isEmpty() ? line : QStringLiteral("- [%1](%2)").arg(titleOf(text), file));
     if (!file.isEmpty()) chapters.push_back({file, titleOf(text), withTables(text)});
   }
   const QString text = list.join('\n');
@@ -119,10 +131,9 @@ std::vector<ManualChapter> readChapters() {
   return chapters;
 }
 
-} // namespace
-
 const std::vector<ManualChapter>& manualChapters() {
-  static const std::vector<ManualChapter> chapters = readChapters();
+  static const std::vector<ManualChapter> chapters = manualChaptersIn(QCoreApplication::translate(
+      "espalier::ManualWindow", "en", "the folder of the chapters in this language: fr"));
   return chapters;
 }
 

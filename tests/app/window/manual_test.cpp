@@ -14,6 +14,7 @@
 #include <QImage>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QTest>
 #include <QTextBlock>
@@ -55,6 +56,29 @@ std::multiset<QString> allPlaces() {
         places.insert(chapter.file + '#' + manualAnchor(block.text()));
   }
   return places;
+}
+
+/// What links and pictures of a chapter name, "files.md#projects".
+std::set<QString> linksOf(const QString& text) {
+  static const QRegularExpression link(QStringLiteral("\\]\\(([^)]+)\\)"));
+  std::set<QString> links;
+  for (const QRegularExpressionMatch& match : link.globalMatch(text))
+    links.insert(match.captured(1));
+  return links;
+}
+
+TEST_F(ManualTest, HasTheFirstPlantInFrench) {
+  const std::vector<ManualChapter> french = manualChaptersIn("fr");
+  ASSERT_EQ(french.size(), manualChapters().size());
+  const ManualChapter& first = french.at(1);
+  EXPECT_EQ(first.file, "first-plant.md");
+  EXPECT_EQ(first.title, QString::fromUtf8("Une première plante en dix minutes"));
+  EXPECT_TRUE(french.front().text.contains(first.title)) << "the page that lists them";
+  EXPECT_EQ(first.text.count("\n## "), manualChapters().at(1).text.count("\n## "));
+  const std::multiset<QString> places = allPlaces();
+  for (const QString& link : linksOf(first.text))
+    EXPECT_TRUE(places.contains(link) || !manualPicture(link).isEmpty()) << link.toStdString();
+  EXPECT_EQ(french.at(2).text, manualChapters().at(2).text) << "is in English alone";
 }
 
 TEST_F(ManualTest, ListsItsChaptersAndShowsOne) {

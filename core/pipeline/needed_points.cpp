@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -45,12 +46,12 @@ public:
 
   /// What the best of them leaves out.
   [[nodiscard]] std::vector<bool> leftOutByBest(const Progress& progress) {
-    std::vector<Kept> tried = doubled(progress);
+    const std::vector<Kept> tried = doubled(progress);
     const auto rated = std::ranges::find_if(
         tried, [](const Kept& kept) { return kept.points->size() <= mostRated; });
     if (tried.size() == 1 || rated == tried.end()) return all_.isLeftOut; // none
-    rated_ = &*rated;
-    index_ = std::make_unique<const SpatialIndex>(rated_->points->positions(), progress.part(0, 0));
+    rated_ = *rated;
+    index_ = std::make_unique<const SpatialIndex>(rated_.points->positions(), progress.part(0, 0));
     auto best = tried.end();
     double share = -1;
     double done = 0;
@@ -109,11 +110,11 @@ private:
     } catch (const Error&) { // too few points for a plant
       return -1;
     }
-    const PointDistances distances(rated_->points, rated_->scale.spacing, *skeleton,
+    const PointDistances distances(rated_.points, rated_.scale.spacing, *skeleton,
                                    progress.part(0.6, 0.7));
     const Eigen::Vector3d up = turnUpright(up_).row(2).transpose();
     const ErrorRatings ratings =
-        errorRatings(*skeleton, distances, *index_, rated_->scale, up, progress.part(0.7, 1));
+        errorRatings(*skeleton, distances, *index_, rated_.scale, up, progress.part(0.7, 1));
     double right = 0;
     double all = 0;
     for (const NodeId id : skeleton->ids()) {
@@ -128,7 +129,7 @@ private:
   UpAxis up_;
   PipelineOptions options_;
   Kept all_;
-  const Kept* rated_ = nullptr;               // that skeletons are rated by
+  Kept rated_;                                // by whose points skeletons are rated
   std::unique_ptr<const SpatialIndex> index_; // of its points
 };
 

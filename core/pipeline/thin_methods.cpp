@@ -46,12 +46,12 @@ class LastAnswers {
 public:
   struct Question {
     std::weak_ptr<const PointCloud> cloud;
-    std::vector<Eigen::Index> kept;
+    std::vector<bool> isLeftOut; // by point, before
     UpAxis up;
 
     bool operator==(const Question& other) const {
       return !cloud.expired() && cloud.lock() == other.cloud.lock() && up == other.up &&
-             kept == other.kept;
+             isLeftOut == other.isLeftOut;
     }
   };
 
@@ -90,18 +90,18 @@ Method asNeededMethod() {
                      PipelineState& state, const Values& values, const Progress& progress) {
             const Options options = table.with(values);
             if (!isThickerThanNeeded(state.extent.scale, options)) return;
-            LastAnswers::Question question{state.cloud, keptPoints(state), state.up};
+            LastAnswers::Question question{state.cloud, state.isLeftOut, state.up};
+            const std::vector<Eigen::Index> kept = keptPoints(state);
             std::optional<std::vector<bool>> isOut = last->find(question);
-            if (!isOut)
-              isOut =
-                  notNeeded(*state.cloud, question.kept, state.extent.scale, state.up, progress);
-            leaveOut(state, question.kept, *isOut);
+            if (!isOut) {
+              isOut = notNeeded(*state.cloud, kept, state.extent.scale, state.up, progress);
+              last->keep(std::move(question), *isOut);
+            }
+            leaveOut(state, kept, *isOut);
             const auto left = std::ranges::count(*isOut, false);
-            if (left < std::ssize(question.kept))
-              state.notes.push_back(std::to_string(left) + " of " +
-                                    std::to_string(question.kept.size()) +
+            if (left < std::ssize(kept))
+              state.notes.push_back(std::to_string(left) + " of " + std::to_string(kept.size()) +
                                     " points are used: more do not make the skeleton better");
-            last->keep(std::move(question), *isOut);
           }};
 }
 

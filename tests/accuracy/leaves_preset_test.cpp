@@ -24,8 +24,14 @@ using testing::Not;
 
 class LeavesPreset : public testing::TestWithParam<const char*> {};
 
+/// Of all points of the scan: where they are thinned as needed, there are no such ends.
+PipelineOptions ofAllPoints(PipelineOptions options) {
+  options.set("thin.method=none");
+  return options;
+}
+
 std::size_t endsOf(const std::shared_ptr<const PointCloud>& cloud, const PipelineOptions& options) {
-  return branchEnds(*Pipeline().run(cloud, options).skeleton).size();
+  return branchEnds(*Pipeline().run(cloud, ofAllPoints(options)).skeleton).size();
 }
 
 TEST_P(LeavesPreset, LeavesFarFewerEndsThanTheLengthAlone) {
@@ -41,8 +47,8 @@ TEST_P(LeavesPreset, LeavesFarFewerEndsThanTheLengthAlone) {
 
 std::vector<std::string> notesOn(const std::filesystem::path& scan,
                                  const PipelineOptions& options) {
-  return notesOf(
-      Pipeline().run(std::make_shared<const PointCloud>(readPoints(scan).value), options));
+  return notesOf(Pipeline().run(std::make_shared<const PointCloud>(readPoints(scan).value),
+                                ofAllPoints(options)));
 }
 
 TEST_P(LeavesPreset, IsProposedWhereMostEndsAreOfLeaves) {
@@ -50,6 +56,17 @@ TEST_P(LeavesPreset, IsProposedWhereMostEndsAreOfLeaves) {
   EXPECT_THAT(notesOn(scan, {}), Contains(HasSubstr("--preset leaves")));
   EXPECT_THAT(notesOn(scan, presetNamed("leaves")->options),
               Each(Not(HasSubstr("--preset leaves"))));
+}
+
+/// The graphs of the authors have four ends each, of which one is the root.
+TEST_P(LeavesPreset, IsNotNeededWhereAsManyPointsAreUsedAsNeeded) {
+  ESPALIER_SHARED_FILE(scan, std::string("leafy/") + GetParam());
+  const auto cloud = std::make_shared<const PointCloud>(readPoints(scan).value);
+  const Reconstruction result = Pipeline().run(cloud);
+  constexpr std::size_t asTheAuthors = 3;
+  const std::size_t tips = branchEnds(*result.skeleton).size();
+  EXPECT_LE(tips, asTheAuthors + 2);
+  EXPECT_GE(tips + 2, asTheAuthors);
 }
 
 TEST(LeavesPresetOfWood, IsNotProposed) {

@@ -48,12 +48,12 @@ TEST_F(Subcommands, ReconstructFindsOnePlantWithRadii) {
   EXPECT_EQ(statistics["unit"], "m");
   EXPECT_EQ(statistics["cloud"]["points"], readPoints(scan_).value.size());
   EXPECT_EQ(statistics["skeleton"]["nodes"], plant.size());
-  EXPECT_EQ(statistics["steps"].size(), 11U);
+  EXPECT_EQ(statistics["steps"].size(), 12U);
   const json sources = statistics["radius_sources"];
   EXPECT_EQ(sources["measured"].get<std::size_t>() + sources["corrected"].get<std::size_t>() +
                 sources["extrapolated"].get<std::size_t>(),
             statistics["skeleton"]["nodes"].get<std::size_t>());
-  EXPECT_EQ(statistics["steps"][1]["method"], "geodesic_centroid");
+  EXPECT_EQ(statistics["steps"][2]["method"], "geodesic_centroid");
   EXPECT_TRUE(statistics["seconds"].contains("Contract"));
   EXPECT_THAT(namesIn(folder_), ElementsAre("a.json", "a.mtg"));
 }
@@ -99,11 +99,11 @@ TEST_F(Subcommands, ReconstructUsesWhatIsSet) {
   run({"reconstruct", scan_, "-o", file("a.mtg"), "--json", file("a.json"), "--preset",
        file("preset.json"), "--set", "contract.radius=0.05", "--set", "axes.sharpest_turn=45"});
   const json steps = test::jsonIn(file("a.json"))["steps"];
-  EXPECT_EQ(steps[1]["options"]["radius"], 0.05) << "what is set changes the preset";
+  EXPECT_EQ(steps[2]["options"]["radius"], 0.05) << "what is set changes the preset";
   run({"reconstruct", scan_, "-o", file("b.mtg"), "--set", "contract.radius=0.05", "--set",
        "axes.sharpest_turn=45", "--json", file("b.json"), "--preset", file("preset.json")});
   EXPECT_EQ(test::jsonIn(file("b.json"))["steps"], steps) << "wherever it stands";
-  EXPECT_EQ(steps[1]["options"]["neighbors"], 9);
+  EXPECT_EQ(steps[2]["options"]["neighbors"], 9);
   const auto named = [&](const std::string& name) {
     return *std::ranges::find_if(steps, [&](const json& step) { return step["step"] == name; });
   };

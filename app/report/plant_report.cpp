@@ -250,7 +250,7 @@ ReportSection wood(const Parts& parts) {
 /// A parameter with its unit, as in the first column of a table.
 QString nameOf(const EnvelopeParameter& parameter, const ReportNumbers& numbers) {
   using Kind = EnvelopeParameter::Kind;
-  const QString label = QString::fromStdString(parameter.label);
+  const QString label = numberedText(parameter.label);
   return parameter.kind == Kind::length || parameter.kind == Kind::coordinate
              ? numbers.inUnit(label)
              : label;

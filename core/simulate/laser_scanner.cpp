@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/base/shown.h"
 #include "core/simulate/beam.h"
 
 #include <algorithm>
@@ -240,9 +241,11 @@ SimulatedScan scan(const Skeleton& plant, const ScannerOptions& options, std::ui
   bounds.extend(wood.bounds()).extend(blades.bounds());
   const std::vector<ScanWindow> windows =
       windowsOf(result.stations, bounds, options.misalignment.value_or(extent / 2500), random);
-  result.angularStep = angularStep(scene, windows, seed + 1, progress.part(0, 0.15, "aim"));
+  result.angularStep =
+      angularStep(scene, windows, seed + 1, progress.part(0, 0.15, Shown::tr("Simulated scan")));
   for (const auto& [echo, station] :
-       echoesOf(scene, windows, result.angularStep, seed + 2, progress.part(0.15, 0.95, "scan"))) {
+       echoesOf(scene, windows, result.angularStep, seed + 2,
+                progress.part(0.15, 0.95, Shown::tr("Simulated scan")))) {
     result.points.positions.push_back(echo.position);
     result.points.intensities.push_back(echo.intensity);
     result.nodes.push_back(echo.node);

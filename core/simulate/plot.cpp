@@ -251,7 +251,7 @@ SimulatedPlot simulatePlot(const PlotOptions& options, std::uint64_t seed,
   const PlotGround ground(options, random);
   const std::vector<Eigen::Vector2d> places = placesInRows(options, random);
   PlotForest forest;
-  addPlants(forest, options, ground, places, seed, random, progress.part(0, 0.4, "grow"));
+  addPlants(forest, options, ground, places, seed, random, progress.part(0, 0.4));
   double halfSide = 0.8 * options.growth.height;
   for (const Eigen::Vector2d& place : places)
     halfSide = std::max(halfSide, place.cwiseAbs().maxCoeff() + 0.8 * options.growth.height);
@@ -261,11 +261,11 @@ SimulatedPlot simulatePlot(const PlotOptions& options, std::uint64_t seed,
   const auto onGround = static_cast<Eigen::Index>(
       std::round(options.groundShare * static_cast<double>(scanner.points)));
   scanner.points = std::max<Eigen::Index>(scanner.points - onGround, 10);
-  SimulatedScan scanned = scan(forest.skeleton, scanner, seed, progress.part(0.4, 0.8, "scan"));
+  SimulatedScan scanned = scan(forest.skeleton, scanner, seed, progress.part(0.4, 0.8));
   SimulatedPlot plot{.points = {}, .truth = {}, .plants = forest.plants, .bases = forest.bases};
   const double noise = scanner.rangeNoise.value_or(options.growth.height / 2500);
   addGround(plot, forest, ground, scanned.stations, halfSide, onGround, noise, seed + 5,
-            progress.part(0.8, 1, "ground"));
+            progress.part(0.8, 1));
   for (std::size_t i = 0; i < scanned.points.positions.size(); ++i) {
     plot.points.positions.push_back(scanned.points.positions[i]);
     plot.points.intensities.push_back(scanned.points.intensities[i]);

@@ -506,25 +506,6 @@
     </message>
 </context>
 <context>
-    <name>LookText</name>
-    <message>
-        <source>The first three columns are not all numbers: choose below which hold x, y and z.</source>
-        <translation>Les trois premières colonnes ne sont pas toutes des nombres&#xa0;: choisissez ci-dessous celles qui contiennent x, y et z.</translation>
-    </message>
-    <message>
-        <source>The first line names the columns, but none x, y and z: check below which they are.</source>
-        <translation>La première ligne nomme les colonnes, mais aucune x, y ou z&#xa0;: vérifiez ci-dessous lesquelles le sont.</translation>
-    </message>
-    <message>
-        <source>Columns 4 to 6 could be the color, or columns 5 to 7: check below which they are.</source>
-        <translation>La couleur pourrait être dans les colonnes 4 à 6, ou dans les colonnes 5 à 7&#xa0;: vérifiez ci-dessous lesquelles.</translation>
-    </message>
-    <message>
-        <source>Nothing names the columns, and some are left out: check below what they hold.</source>
-        <translation>Rien ne nomme les colonnes, et certaines sont écartées&#xa0;: vérifiez ci-dessous ce qu’elles contiennent.</translation>
-    </message>
-</context>
-<context>
     <name>LookedAt</name>
     <message>
         <source>nothing is marked, as %1 nodes are more than one looks at in one go: walk to them by %2, or choose Review &gt; %3</source>
@@ -2245,7 +2226,23 @@
     </message>
 </context>
 <context>
-    <name>ScanLook</name>
+    <name>ScanLookText</name>
+    <message>
+        <source>The first three columns are not all numbers: choose below which hold x, y and z.</source>
+        <translation>Les trois premières colonnes ne sont pas toutes des nombres&#xa0;: choisissez ci-dessous celles qui contiennent x, y et z.</translation>
+    </message>
+    <message>
+        <source>The first line names the columns, but none x, y and z: check below which they are.</source>
+        <translation>La première ligne nomme les colonnes, mais aucune x, y ou z&#xa0;: vérifiez ci-dessous lesquelles le sont.</translation>
+    </message>
+    <message>
+        <source>Columns 4 to 6 could be the color, or columns 5 to 7: check below which they are.</source>
+        <translation>La couleur pourrait être dans les colonnes 4 à 6, ou dans les colonnes 5 à 7&#xa0;: vérifiez ci-dessous lesquelles.</translation>
+    </message>
+    <message>
+        <source>Nothing names the columns, and some are left out: check below what they hold.</source>
+        <translation>Rien ne nomme les colonnes, et certaines sont écartées&#xa0;: vérifiez ci-dessous ce qu’elles contiennent.</translation>
+    </message>
     <message>
         <source>as the open scan</source>
         <translation>comme le scan ouvert</translation>
@@ -12058,6 +12055,230 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>Where the wood is many point spacings thick, keeps as many points as give the skeleton of which the most is probably right.</source>
         <translation>Là où le bois a une épaisseur de nombreux espacements, garde autant de points qu&apos;il en faut pour le squelette dont la plus grande part est probablement juste.</translation>
+    </message>
+    <message>
+        <source>branching angle, order %1</source>
+        <translation>angle de ramification, ordre %1</translation>
+    </message>
+    <message>
+        <source>radius ahead</source>
+        <translation>rayon devant</translation>
+    </message>
+    <message>
+        <source>radius left</source>
+        <translation>rayon à gauche</translation>
+    </message>
+    <message>
+        <source>radius behind</source>
+        <translation>rayon derrière</translation>
+    </message>
+    <message>
+        <source>radius right</source>
+        <translation>rayon à droite</translation>
+    </message>
+    <message>
+        <source>height ahead</source>
+        <translation>hauteur devant</translation>
+    </message>
+    <message>
+        <source>height left</source>
+        <translation>hauteur à gauche</translation>
+    </message>
+    <message>
+        <source>height behind</source>
+        <translation>hauteur derrière</translation>
+    </message>
+    <message>
+        <source>height right</source>
+        <translation>hauteur à droite</translation>
+    </message>
+    <message>
+        <source>azimuth of ahead</source>
+        <translation>azimut de l&apos;avant</translation>
+    </message>
+    <message>
+        <source>exponent above</source>
+        <translation>exposant en haut</translation>
+    </message>
+    <message>
+        <source>exponent below</source>
+        <translation>exposant en bas</translation>
+    </message>
+    <message>
+        <source>share of the points inside</source>
+        <translation>part des points à l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>largeur</translation>
+    </message>
+    <message>
+        <source>azimuth</source>
+        <translation>azimut</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>rayon</translation>
+    </message>
+    <message>
+        <source>semi-axis a</source>
+        <translation>demi-axe a</translation>
+    </message>
+    <message>
+        <source>semi-axis b</source>
+        <translation>demi-axe b</translation>
+    </message>
+    <message>
+        <source>semi-axis c</source>
+        <translation>demi-axe c</translation>
+    </message>
+    <message>
+        <source>lean</source>
+        <translation>inclinaison</translation>
+    </message>
+    <message>
+        <source>ahead</source>
+        <translation>devant</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <source>behind</source>
+        <translation>derrière</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droite</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>sommet</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>base</translation>
+    </message>
+    <message>
+        <source>ahead, low</source>
+        <translation>devant, bas</translation>
+    </message>
+    <message>
+        <source>ahead, in the middle</source>
+        <translation>devant, au milieu</translation>
+    </message>
+    <message>
+        <source>ahead, high</source>
+        <translation>devant, haut</translation>
+    </message>
+    <message>
+        <source>behind, low</source>
+        <translation>derrière, bas</translation>
+    </message>
+    <message>
+        <source>behind, in the middle</source>
+        <translation>derrière, au milieu</translation>
+    </message>
+    <message>
+        <source>behind, high</source>
+        <translation>derrière, haut</translation>
+    </message>
+    <message>
+        <source>outline, ahead to the left</source>
+        <translation>contour, devant à gauche</translation>
+    </message>
+    <message>
+        <source>outline, left</source>
+        <translation>contour, gauche</translation>
+    </message>
+    <message>
+        <source>outline, behind to the left</source>
+        <translation>contour, derrière à gauche</translation>
+    </message>
+    <message>
+        <source>outline, behind to the right</source>
+        <translation>contour, derrière à droite</translation>
+    </message>
+    <message>
+        <source>outline, right</source>
+        <translation>contour, droite</translation>
+    </message>
+    <message>
+        <source>outline, ahead to the right</source>
+        <translation>contour, devant à droite</translation>
+    </message>
+    <message>
+        <source>azimuth of the side profile</source>
+        <translation>azimut du profil de côté</translation>
+    </message>
+    <message>
+        <source>outline ahead of its middle</source>
+        <translation>contour devant son milieu</translation>
+    </message>
+    <message>
+        <source>outline behind its middle</source>
+        <translation>contour derrière son milieu</translation>
+    </message>
+    <message>
+        <source>corners of the outline</source>
+        <translation>sommets du contour</translation>
+    </message>
+    <message>
+        <source>corners of the side profile</source>
+        <translation>sommets du profil de côté</translation>
+    </message>
+    <message>
+        <source>bottom radius</source>
+        <translation>rayon de la base</translation>
+    </message>
+    <message>
+        <source>top radius</source>
+        <translation>rayon du sommet</translation>
+    </message>
+    <message>
+        <source>center</source>
+        <translation>centre</translation>
+    </message>
+    <message>
+        <source>side %1, low</source>
+        <translation>côté %1, bas</translation>
+    </message>
+    <message>
+        <source>side %1, middle</source>
+        <translation>côté %1, milieu</translation>
+    </message>
+    <message>
+        <source>side %1, high</source>
+        <translation>côté %1, haut</translation>
+    </message>
+    <message>
+        <source>profiles</source>
+        <translation>profils</translation>
+    </message>
+    <message>
+        <source>azimuth of the first profile</source>
+        <translation>azimut du premier profil</translation>
+    </message>
+    <message>
+        <source>radius of the ball</source>
+        <translation>rayon de la boule</translation>
+    </message>
+    <message>
+        <source>pieces</source>
+        <translation>morceaux</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>points</translation>
+    </message>
+    <message>
+        <source>side of the cubes</source>
+        <translation>côté des cubes</translation>
+    </message>
+    <message>
+        <source>Simulated scan</source>
+        <translation>Scan simulé</translation>
     </message>
 </context>
 <context>

@@ -10,8 +10,8 @@
 namespace espalier {
 namespace {
 
-struct LookText {
-  Q_DECLARE_TR_FUNCTIONS(ScanLook)
+struct ScanLookText {
+  Q_DECLARE_TR_FUNCTIONS(ScanLookText)
 };
 
 /// Of cloud, index and picture, without a skeleton.
@@ -20,17 +20,21 @@ constexpr std::uint64_t bytesPerPoint = 100;
 QString doubtText(ColumnDoubt doubt) {
   switch (doubt) {
   case ColumnDoubt::notNumbers:
-    return LookText::tr("The first three columns are not all numbers: choose below which hold x, y "
-                        "and z.");
+    return ScanLookText::tr(
+        "The first three columns are not all numbers: choose below which hold x, y "
+        "and z.");
   case ColumnDoubt::otherNames:
-    return LookText::tr("The first line names the columns, but none x, y and z: check below which "
-                        "they are.");
+    return ScanLookText::tr(
+        "The first line names the columns, but none x, y and z: check below which "
+        "they are.");
   case ColumnDoubt::twoPlaces:
-    return LookText::tr("Columns 4 to 6 could be the color, or columns 5 to 7: check below which "
-                        "they are.");
+    return ScanLookText::tr(
+        "Columns 4 to 6 could be the color, or columns 5 to 7: check below which "
+        "they are.");
   case ColumnDoubt::withoutName:
-    return LookText::tr("Nothing names the columns, and some are left out: check below what they "
-                        "hold.");
+    return ScanLookText::tr(
+        "Nothing names the columns, and some are left out: check below what they "
+        "hold.");
   case ColumnDoubt::none:
     break;
   }
@@ -67,7 +71,7 @@ QString sides(const Eigen::Vector3d& lengths, LengthUnit unit) {
 
 PointGlance glanceOf(const ScanLook& look) {
   PointGlance glance = look.glance;
-  const std::string reason = LookText::tr("as the open scan").toStdString();
+  const std::string reason = ScanLookText::tr("as the open scan").toStdString();
   if (look.unit) glance.unit = {symbol(*look.unit).toStdString(), reason, true};
   if (look.up) glance.up = {std::string(1, "xyz"[static_cast<int>(*look.up)]), reason, true};
   return glance;
@@ -81,9 +85,9 @@ QString columnsQuestion(const ScanLook& look) {
     return line.kind != TextLine::Kind::points ||
            isPoint(line, look.columns.empty() ? text.columns : look.columns, text.hasDecimalComma);
   });
-  return areRead
-             ? QString()
-             : LookText::tr("Some lines cannot be read with these columns: choose others below.");
+  return areRead ? QString()
+                 : ScanLookText::tr(
+                       "Some lines cannot be read with these columns: choose others below.");
 }
 
 QStringList questionsOf(const ScanLook& look, std::uint64_t mostAtOnce) {
@@ -91,28 +95,30 @@ QStringList questionsOf(const ScanLook& look, std::uint64_t mostAtOnce) {
   if (const QString columns = columnsQuestion(look); !columns.isEmpty()) questions.append(columns);
   if (look.glance.points > mostAtOnce)
     questions.append(
-        LookText::tr("It has %1 points, more than are read without asking: choose below how many.")
+        ScanLookText::tr(
+            "It has %1 points, more than are read without asking: choose below how many.")
             .arg(pointsText(look.glance.points, look.glance.arePointsEstimated)));
   if (!look.unit && look.glance.unit.value.empty() && !look.glance.bounds.isEmpty())
-    questions.append(LookText::tr("Its unit is not known: choose it below."));
+    questions.append(ScanLookText::tr("Its unit is not known: choose it below."));
   return questions;
 }
 
 QString pointsText(std::uint64_t points, bool isEstimated) {
   const QString count = formatCount(static_cast<std::size_t>(points));
-  return isEstimated ? LookText::tr("about %1").arg(count) : count;
+  return isEstimated ? ScanLookText::tr("about %1").arg(count) : count;
 }
 
 QString contentText(const PointGlance& glance) {
   QStringList parts = {pointsText(glance.points, glance.arePointsEstimated)};
   const bool hasIntensity = hasColumn(glance, isIntensity);
   const bool hasColor = hasColumn(glance, isColor);
-  parts.append(hasIntensity && hasColor ? LookText::tr("with intensity and color")
-               : hasIntensity           ? LookText::tr("with intensity, without color")
-               : hasColor               ? LookText::tr("with color, without intensity")
-                                        : LookText::tr("without intensity and color"));
+  parts.append(hasIntensity && hasColor ? ScanLookText::tr("with intensity and color")
+               : hasIntensity           ? ScanLookText::tr("with intensity, without color")
+               : hasColor               ? ScanLookText::tr("with color, without intensity")
+                                        : ScanLookText::tr("without intensity and color"));
   if (glance.stations > 1)
-    parts.append(LookText::tr("from %1 stations").arg(formatCount(std::size_t(glance.stations))));
+    parts.append(
+        ScanLookText::tr("from %1 stations").arg(formatCount(std::size_t(glance.stations))));
   return parts.join(QStringLiteral(", "));
 }
 
@@ -126,34 +132,34 @@ QString columnsText(const PointGlance& glance) {
   const QString text = taken.join(QStringLiteral(", "));
   return leftOut.isEmpty()
              ? text
-             : LookText::tr("%1; left out: %2").arg(text, leftOut.join(QStringLiteral(", ")));
+             : ScanLookText::tr("%1; left out: %2").arg(text, leftOut.join(QStringLiteral(", ")));
 }
 
 QString boundsText(const PointGlance& glance) {
-  if (glance.bounds.isEmpty()) return LookText::tr("not known");
+  if (glance.bounds.isEmpty()) return ScanLookText::tr("not known");
   QStringList axes;
   for (int axis = 0; axis < 3; ++axis)
-    axes.append(LookText::tr("%1 from %2 to %3")
+    axes.append(ScanLookText::tr("%1 from %2 to %3")
                     .arg(QChar("xyz"[axis]))
                     .arg(number(glance.bounds.min()[axis]), number(glance.bounds.max()[axis])));
   const QString text = axes.join(QStringLiteral(", "));
-  return glance.areBoundsOfSample ? LookText::tr("%1, of a sample").arg(text) : text;
+  return glance.areBoundsOfSample ? ScanLookText::tr("%1, of a sample").arg(text) : text;
 }
 
 QString sizeText(const PointGlance& glance, LengthUnit unit) {
-  if (glance.bounds.isEmpty()) return LookText::tr("not known");
+  if (glance.bounds.isEmpty()) return ScanLookText::tr("not known");
   const Eigen::Vector3d lengths = glance.bounds.sizes();
   const QString text = sides(lengths, unit);
   if (unit == LengthUnit::unknown || unit == LengthUnit::meter) return text;
-  return LookText::tr("%1, which is %2")
+  return ScanLookText::tr("%1, which is %2")
       .arg(text, sides(lengths * metersIn(unit), LengthUnit::meter));
 }
 
 QString reasonText(const GlanceGuess& guess) {
   const QString reason = QString::fromStdString(guess.reason);
-  if (guess.isStated) return LookText::tr("Stated: %1").arg(reason);
-  if (guess.value.empty()) return LookText::tr("Not known: %1").arg(reason);
-  return LookText::tr("Guessed: %1").arg(reason);
+  if (guess.isStated) return ScanLookText::tr("Stated: %1").arg(reason);
+  if (guess.value.empty()) return ScanLookText::tr("Not known: %1").arg(reason);
+  return ScanLookText::tr("Guessed: %1").arg(reason);
 }
 
 QString memoryText(std::uint64_t points) {

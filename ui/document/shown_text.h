@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 
 namespace espalier {
@@ -10,6 +12,16 @@ namespace espalier {
 /// English text that core marks with Shown::tr(), in the language of the window.
 [[nodiscard]] inline QString shownText(const std::string& english) {
   return QCoreApplication::translate("espalier::Shown", english.c_str());
+}
+
+/// The same of text with a number in it, which core marked with "%1" in its place: "order 2".
+[[nodiscard]] inline QString numberedText(const std::string& english) {
+  constexpr const char* digits = "0123456789";
+  const std::size_t begin = english.find_first_of(digits);
+  if (begin == std::string::npos) return shownText(english);
+  const std::size_t end = std::min(english.find_first_not_of(digits, begin), english.size());
+  return shownText(english.substr(0, begin) + "%1" + english.substr(end))
+      .arg(QString::fromStdString(english.substr(begin, end - begin)));
 }
 
 } // namespace espalier

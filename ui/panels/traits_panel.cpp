@@ -176,7 +176,7 @@ QWidget* TraitsPanel::makeGroup(const QString& name, const std::vector<TraitRow>
   QGridLayout* grid = gridIn(*group, shownText(name.toStdString()), 2);
   int place = 1;
   for (const TraitRow& row : rows) {
-    QString text = shownText(row.label);
+    QString text = numberedText(row.label);
     text[0] = text[0].toUpper();
     const QString help = shownText(row.help);
     auto* label = new QLabel(text);

@@ -307,7 +307,7 @@ ShownEnvelope EnvelopeFlow::shown() const {
   if (!dock_->isShown() || !isOfChosenKind()) return result;
   const UpAxis up = parts_.document.up();
   for (const EnvelopeHandle& handle : envelopeHandles(*drawn_, up, *choice_.kind))
-    result.handles.push_back({.label = tr(handle.label.c_str()),
+    result.handles.push_back({.label = numberedText(handle.label),
                               .place = handle.place,
                               .up = handle.up,
                               .outward = handle.outward,
@@ -336,7 +336,7 @@ std::vector<EnvelopePanel::Number> EnvelopeFlow::numbers() const {
   using Kind = EnvelopeParameter::Kind;
   for (const EnvelopeParameter& each : drawn_->parameters) {
     if (each.kind == Kind::coordinate) continue; // the file of numbers has them
-    QString label = tr(each.label.c_str());
+    QString label = numberedText(each.label);
     label[0] = label[0].toUpper();
     result.push_back({label, parameterText(each, unit)});
   }
@@ -348,7 +348,7 @@ void EnvelopeFlow::drag(std::size_t handle, const Eigen::Vector3d& to) {
   const UpAxis up = parts_.document.up();
   const std::vector<EnvelopeHandle> handles = envelopeHandles(*drawn_, up, *choice_.kind);
   const std::string& name = handles[handle].name;
-  dragged_ = tr(handles[handle].label.c_str());
+  dragged_ = numberedText(handles[handle].label);
   places_[name] = draggedTo(*drawn_, up, *choice_.kind, name, to);
   show();
 }

@@ -2,6 +2,7 @@
 
 #include "core/base/delaunay.h"
 #include "core/base/error.h"
+#include "core/base/shown.h"
 
 #include <numeric>
 #include <tuple>
@@ -159,10 +160,10 @@ Envelope alphaHull(const Crown& crown, const AlphaHullOptions& options, const Pr
   Envelope envelope = envelopeOf(std::move(surface));
   using Kind = EnvelopeParameter::Kind;
   envelope.parameters = {
-      {"radius", "radius of the ball", Kind::length, options.radius},
-      {"pieces", "pieces", Kind::number, static_cast<double>(body.pieces())},
-      {"points", "points", Kind::number, static_cast<double>(places.points.cols())},
-      {"cube", "side of the cubes", Kind::length, places.cube}};
+      {"radius", Shown::tr("radius of the ball"), Kind::length, options.radius},
+      {"pieces", Shown::tr("pieces"), Kind::number, static_cast<double>(body.pieces())},
+      {"points", Shown::tr("points"), Kind::number, static_cast<double>(places.points.cols())},
+      {"cube", Shown::tr("side of the cubes"), Kind::length, places.cube}};
   return envelope;
 }
 

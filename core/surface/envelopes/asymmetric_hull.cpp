@@ -1,5 +1,6 @@
 #include "core/surface/envelopes/asymmetric_hull.h"
 
+#include "core/base/shown.h"
 #include "core/surface/envelopes/rings.h"
 
 #include <numbers>
@@ -54,22 +55,29 @@ double sweptAbove(const AsymmetricHull& hull, double z, const Eigen::Vector2d& f
 
 void addParameters(std::vector<EnvelopeParameter>& parameters, const AsymmetricHull& hull) {
   constexpr std::array<const char*, 4> sides = {"ahead", "left", "behind", "right"};
+  constexpr std::array<const char*, 4> radii = {Shown::tr("radius ahead"), Shown::tr("radius left"),
+                                                Shown::tr("radius behind"),
+                                                Shown::tr("radius right")};
+  constexpr std::array<const char*, 4> heights = {
+      Shown::tr("height ahead"), Shown::tr("height left"), Shown::tr("height behind"),
+      Shown::tr("height right")};
   using Kind = EnvelopeParameter::Kind;
   for (std::size_t i = 0; i < 4; ++i) {
     const std::string side = sides[i];
-    parameters.push_back({"radius_" + side, "radius " + side, Kind::length, hull.radii[i]});
+    parameters.push_back({"radius_" + side, radii[i], Kind::length, hull.radii[i]});
   }
   for (std::size_t i = 0; i < 4; ++i) { // above the bottom: a height is no place
     const std::string side = sides[i];
     parameters.push_back(
-        {"height_" + side, "height " + side, Kind::length, hull.heights[i] - hull.bottom.z()});
+        {"height_" + side, heights[i], Kind::length, hull.heights[i] - hull.bottom.z()});
   }
-  parameters.push_back({"azimuth", "azimuth of ahead", Kind::angle, hull.azimuth});
+  parameters.push_back({"azimuth", Shown::tr("azimuth of ahead"), Kind::angle, hull.azimuth});
   addPlace(parameters, "center", "center", {hull.center.x(), hull.center.y(), hull.bottom.z()});
   addPlace(parameters, "top", "top", hull.top);
   addPlace(parameters, "bottom", "bottom", hull.bottom);
-  parameters.push_back({"top_shape", "exponent above", Kind::number, hull.topShape});
-  parameters.push_back({"bottom_shape", "exponent below", Kind::number, hull.bottomShape});
+  parameters.push_back({"top_shape", Shown::tr("exponent above"), Kind::number, hull.topShape});
+  parameters.push_back(
+      {"bottom_shape", Shown::tr("exponent below"), Kind::number, hull.bottomShape});
 }
 
 } // namespace
@@ -127,7 +135,7 @@ Envelope envelopeOf(const AsymmetricHull& hull) {
 
 Envelope asymmetricEnvelope(const Crown& crown, const Progress& progress) {
   Envelope envelope = envelopeOf(fitAsymmetricHull(crown, progress.part(0, 0.8)));
-  envelope.parameters.push_back({"inside", "share of the points inside",
+  envelope.parameters.push_back({"inside", Shown::tr("share of the points inside"),
                                  EnvelopeParameter::Kind::number,
                                  shareInside(envelope.mesh, crown.points, progress.part(0.8, 1))});
   return envelope;

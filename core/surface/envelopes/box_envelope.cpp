@@ -1,5 +1,6 @@
 #include "core/surface/envelopes/box_envelope.h"
 
+#include "core/base/shown.h"
 #include "core/surface/envelopes/rings.h"
 
 #include <numbers>
@@ -23,12 +24,12 @@ Envelope boxOf(const OutlineBox& box, double bottom, double top) {
   if (azimuth <= -std::numbers::pi / 2) azimuth += std::numbers::pi;
   if (azimuth > std::numbers::pi / 2) azimuth -= std::numbers::pi;
   std::vector<EnvelopeParameter>& parameters = envelope.parameters;
-  parameters.push_back({.name = "length", .label = "length", .value = box.sides.x()});
-  parameters.push_back({.name = "width", .label = "width", .value = box.sides.y()});
-  parameters.push_back({.name = "height", .label = "height", .value = top - bottom});
+  parameters.push_back({.name = "length", .label = Shown::tr("length"), .value = box.sides.x()});
+  parameters.push_back({.name = "width", .label = Shown::tr("width"), .value = box.sides.y()});
+  parameters.push_back({.name = "height", .label = Shown::tr("height"), .value = top - bottom});
   addPlace(parameters, "center", "center", end((bottom + top) / 2));
   parameters.push_back({.name = "azimuth",
-                        .label = "azimuth",
+                        .label = Shown::tr("azimuth"),
                         .kind = EnvelopeParameter::Kind::angle,
                         .value = azimuth});
   return envelope;

@@ -1,6 +1,7 @@
 #include "core/surface/envelopes/enclosing_ball.h"
 
 #include "core/base/random.h"
+#include "core/base/shown.h"
 #include "core/surface/envelopes/rings.h"
 
 #include <Eigen/QR>
@@ -72,7 +73,7 @@ Envelope ballOf(const Ball3& ball) {
                          center.z() - radius * std::cos(angle));
   }
   Envelope envelope = envelopeOf(meshOfTurned(profile, center.head<2>()));
-  envelope.parameters.push_back({.name = "radius", .label = "radius", .value = radius});
+  envelope.parameters.push_back({.name = "radius", .label = Shown::tr("radius"), .value = radius});
   addPlace(envelope.parameters, "center", "center", center);
   envelope.volume = 4 * std::numbers::pi / 3 * radius * radius * radius;
   envelope.area = 4 * std::numbers::pi * radius * radius;

@@ -1,5 +1,6 @@
 #include "core/surface/envelopes/enclosing_ellipsoid.h"
 
+#include "core/base/shown.h"
 #include "core/surface/envelopes/rings.h"
 
 #include <Eigen/Eigenvalues>
@@ -70,16 +71,16 @@ Envelope ellipsoidOf(const Eigen::Vector3d& center, const Eigen::Vector3d& semiA
           place(std::numbers::pi * level / ringLevels, 2 * std::numbers::pi * i / ringCorners));
   }
   Envelope envelope = envelopeOf(meshOfRings(place(0, 0), rings, place(std::numbers::pi, 0)));
-  for (int i = 0; i < 3; ++i) {
-    const auto letter = static_cast<char>('a' + i);
-    envelope.parameters.push_back({.name = std::string("semi_axis_") + letter,
-                                   .label = std::string("semi-axis ") + letter,
-                                   .value = semiAxes[i]});
-  }
+  envelope.parameters.push_back(
+      {.name = "semi_axis_a", .label = Shown::tr("semi-axis a"), .value = semiAxes[0]});
+  envelope.parameters.push_back(
+      {.name = "semi_axis_b", .label = Shown::tr("semi-axis b"), .value = semiAxes[1]});
+  envelope.parameters.push_back(
+      {.name = "semi_axis_c", .label = Shown::tr("semi-axis c"), .value = semiAxes[2]});
   addPlace(envelope.parameters, "center", "center", center);
   envelope.parameters.push_back(
       {.name = "lean",
-       .label = "lean",
+       .label = Shown::tr("lean"),
        .kind = EnvelopeParameter::Kind::angle,
        .value = std::acos(std::min(1.0, turn.row(2).cwiseAbs().maxCoeff()))});
   envelope.volume = 4 * std::numbers::pi / 3 * semiAxes.prod();

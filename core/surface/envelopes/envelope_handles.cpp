@@ -1,5 +1,7 @@
 #include "core/surface/envelopes/envelope_handles.h"
 
+#include "core/base/shown.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -12,7 +14,8 @@ namespace {
 
 constexpr const char* topName = "top";
 constexpr const char* bottomName = "bottom";
-constexpr std::array<const char*, 4> sideNames = {"ahead", "left", "behind", "right"};
+constexpr std::array<const char*, 4> sideNames = {Shown::tr("ahead"), Shown::tr("left"),
+                                                  Shown::tr("behind"), Shown::tr("right")};
 
 std::optional<std::size_t> sideNamed(const std::string& name) {
   const auto found = std::ranges::find(sideNames, name);
@@ -55,8 +58,8 @@ double leastRadius(const AsymmetricHull& hull, std::size_t side, const Eigen::Ve
 
 std::vector<EnvelopeHandle> handlesOf(const AsymmetricHull& hull) {
   std::vector<EnvelopeHandle> handles = {
-      {.name = topName, .label = "top", .place = hull.top},
-      {.name = bottomName, .label = "bottom", .place = hull.bottom}};
+      {.name = topName, .label = Shown::tr("top"), .place = hull.top},
+      {.name = bottomName, .label = Shown::tr("bottom"), .place = hull.bottom}};
   for (std::size_t side = 0; side < sideNames.size(); ++side) {
     const Eigen::Vector3d outward = outwardOf(hull, side);
     Eigen::Vector3d place = hull.radii[side] * outward;

@@ -1,5 +1,7 @@
 #include "core/surface/envelopes/extruded_handles.h"
 
+#include "core/base/shown.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -21,12 +23,12 @@ struct SideHandle {
   double level; // from the lowest (0) to the highest section (1)
 };
 constexpr std::array<SideHandle, 6> sideHandles = {
-    SideHandle{"ahead_low", "ahead, low", true, 0.25},
-    SideHandle{"ahead_middle", "ahead, in the middle", true, 0.5},
-    SideHandle{"ahead_high", "ahead, high", true, 0.75},
-    SideHandle{"behind_low", "behind, low", false, 0.25},
-    SideHandle{"behind_middle", "behind, in the middle", false, 0.5},
-    SideHandle{"behind_high", "behind, high", false, 0.75}};
+    SideHandle{"ahead_low", Shown::tr("ahead, low"), true, 0.25},
+    SideHandle{"ahead_middle", Shown::tr("ahead, in the middle"), true, 0.5},
+    SideHandle{"ahead_high", Shown::tr("ahead, high"), true, 0.75},
+    SideHandle{"behind_low", Shown::tr("behind, low"), false, 0.25},
+    SideHandle{"behind_middle", Shown::tr("behind, in the middle"), false, 0.5},
+    SideHandle{"behind_high", Shown::tr("behind, high"), false, 0.75}};
 
 /// A place of the outline.
 struct OutlineHandle {
@@ -35,12 +37,12 @@ struct OutlineHandle {
   int eighths; // of a turn, from where the side profile goes ahead to the left
 };
 constexpr std::array<OutlineHandle, 6> outlineHandles = {
-    OutlineHandle{"outline_ahead_left", "outline, ahead to the left", 1},
-    OutlineHandle{"outline_left", "outline, left", 2},
-    OutlineHandle{"outline_behind_left", "outline, behind to the left", 3},
-    OutlineHandle{"outline_behind_right", "outline, behind to the right", 5},
-    OutlineHandle{"outline_right", "outline, right", 6},
-    OutlineHandle{"outline_ahead_right", "outline, ahead to the right", 7}};
+    OutlineHandle{"outline_ahead_left", Shown::tr("outline, ahead to the left"), 1},
+    OutlineHandle{"outline_left", Shown::tr("outline, left"), 2},
+    OutlineHandle{"outline_behind_left", Shown::tr("outline, behind to the left"), 3},
+    OutlineHandle{"outline_behind_right", Shown::tr("outline, behind to the right"), 5},
+    OutlineHandle{"outline_right", Shown::tr("outline, right"), 6},
+    OutlineHandle{"outline_ahead_right", Shown::tr("outline, ahead to the right"), 7}};
 constexpr double eighth = std::numbers::pi / 4;
 
 template <class Handles> auto handleIn(const Handles& handles, const std::string& name) {
@@ -219,10 +221,10 @@ std::vector<std::string> extrudedHandleNames() {
 
 std::vector<EnvelopeHandle> handlesOf(const ExtrudedHull& hull) {
   std::vector<EnvelopeHandle> handles = {{.name = topOfExtruded,
-                                          .label = "top",
+                                          .label = Shown::tr("top"),
                                           .place = placedIn(hull, hull.side.back(), hull.middle)},
                                          {.name = bottomOfExtruded,
-                                          .label = "bottom",
+                                          .label = Shown::tr("bottom"),
                                           .place = placedIn(hull, hull.side.front(), hull.middle)}};
   const Eigen::Vector3d along(hull.along.x(), hull.along.y(), 0);
   for (const SideHandle& handle : sideHandles) {

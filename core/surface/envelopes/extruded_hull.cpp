@@ -1,6 +1,7 @@
 #include "core/surface/envelopes/extruded_hull.h"
 
 #include "core/base/plane_hull.h"
+#include "core/base/shown.h"
 #include "core/surface/envelopes/outline.h"
 #include "core/surface/envelopes/rings.h"
 
@@ -88,12 +89,13 @@ Envelope envelopeOf(const ExtrudedHull& hull) {
   using Kind = EnvelopeParameter::Kind;
   const auto count = [](std::size_t number) { return static_cast<double>(number); };
   envelope.parameters = {
-      {"azimuth", "azimuth of the side profile", Kind::angle,
+      {"azimuth", Shown::tr("azimuth of the side profile"), Kind::angle,
        std::atan2(hull.along.y(), hull.along.x())},
-      {"outline_ahead", "outline ahead of its middle", Kind::length, hull.ahead},
-      {"outline_behind", "outline behind its middle", Kind::length, hull.behind},
-      {"outline_corners", "corners of the outline", Kind::number, count(hull.outline.size())},
-      {"profile_corners", "corners of the side profile", Kind::number,
+      {"outline_ahead", Shown::tr("outline ahead of its middle"), Kind::length, hull.ahead},
+      {"outline_behind", Shown::tr("outline behind its middle"), Kind::length, hull.behind},
+      {"outline_corners", Shown::tr("corners of the outline"), Kind::number,
+       count(hull.outline.size())},
+      {"profile_corners", Shown::tr("corners of the side profile"), Kind::number,
        count(2 * hull.side.size())}};
   const double level = widestSection(hull).z;
   addPlace(envelope.parameters, "outline_middle", "middle of the outline",
@@ -142,7 +144,7 @@ Envelope extrudedHull(const Crown& crown, const ExtrudedHullOptions& options,
   }
   progress.check();
   Envelope envelope = envelopeOf(hull);
-  envelope.parameters.push_back({"inside", "share of the points inside",
+  envelope.parameters.push_back({"inside", Shown::tr("share of the points inside"),
                                  EnvelopeParameter::Kind::number,
                                  shareInside(envelope.mesh, crown.points, progress)});
   return envelope;

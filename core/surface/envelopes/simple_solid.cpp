@@ -1,5 +1,6 @@
 #include "core/surface/envelopes/simple_solid.h"
 
+#include "core/base/shown.h"
 #include "core/surface/envelopes/box_envelope.h"
 #include "core/surface/envelopes/enclosing_ball.h"
 #include "core/surface/envelopes/enclosing_ellipsoid.h"
@@ -32,17 +33,18 @@ struct Reach {
 std::vector<Reach> reachesOf(Kind kind) {
   switch (kind) {
   case Kind::ellipsoid:
-    return {{"semi_axis_a", "semi-axis a"},
-            {"semi_axis_b", "semi-axis b", 1, 0, 1},
-            {"semi_axis_c", "semi-axis c", 1, 0, 2}};
+    return {{"semi_axis_a", Shown::tr("semi-axis a")},
+            {"semi_axis_b", Shown::tr("semi-axis b"), 1, 0, 1},
+            {"semi_axis_c", Shown::tr("semi-axis c"), 1, 0, 2}};
   case Kind::cylinder:
-    return {{"radius", "radius", 1, 0.5}};
+    return {{"radius", Shown::tr("radius"), 1, 0.5}};
   case Kind::frustum:
-    return {{"bottom_radius", "bottom radius"}, {"top_radius", "top radius", 1, 1}};
+    return {{"bottom_radius", Shown::tr("bottom radius")},
+            {"top_radius", Shown::tr("top radius"), 1, 1}};
   case Kind::box:
-    return {{"length", "length", 0.5, 0.5}, {"width", "width", 0.5, 0.5, 1}};
+    return {{"length", Shown::tr("length"), 0.5, 0.5}, {"width", Shown::tr("width"), 0.5, 0.5, 1}};
   default:
-    return {{"radius", "radius"}};
+    return {{"radius", Shown::tr("radius")}};
   }
 }
 
@@ -126,11 +128,14 @@ std::vector<EnvelopeHandle> handlesOf(const SimpleSolid& solid) {
                        .up = direction});
   }
   if (isUpright(solid.kind)) {
-    handles.push_back({.name = topHandle, .label = "top", .place = middleOf(solid, 1)});
-    handles.push_back({.name = bottomHandle, .label = "bottom", .place = middleOf(solid, 0)});
+    handles.push_back({.name = topHandle, .label = Shown::tr("top"), .place = middleOf(solid, 1)});
+    handles.push_back(
+        {.name = bottomHandle, .label = Shown::tr("bottom"), .place = middleOf(solid, 0)});
   }
-  handles.push_back(
-      {.name = centerHandle, .label = "center", .place = middleOf(solid, 0.5), .isFree = true});
+  handles.push_back({.name = centerHandle,
+                     .label = Shown::tr("center"),
+                     .place = middleOf(solid, 0.5),
+                     .isFree = true});
   return handles;
 }
 

@@ -1,5 +1,8 @@
 #include "core/surface/envelopes/skinned_handles.h"
 
+#include "core/base/numbered_text.h"
+#include "core/base/shown.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -20,9 +23,10 @@ struct SkinLevel {
   const char* label;
   std::size_t place; // of the profile
 };
-constexpr std::array<SkinLevel, 3> skinLevels = {SkinLevel{"low", "low", skinnedLevels / 4},
-                                                 SkinLevel{"middle", "middle", skinnedLevels / 2},
-                                                 SkinLevel{"high", "high", skinnedLevels * 3 / 4}};
+constexpr std::array<SkinLevel, 3> skinLevels = {
+    SkinLevel{"low", Shown::tr("side %1, low"), skinnedLevels / 4},
+    SkinLevel{"middle", Shown::tr("side %1, middle"), skinnedLevels / 2},
+    SkinLevel{"high", Shown::tr("side %1, high"), skinnedLevels * 3 / 4}};
 using Shifts = std::array<double, skinLevels.size()>; // [L], at each level
 
 std::string handleName(std::size_t side, const SkinLevel& level) {
@@ -136,10 +140,10 @@ std::vector<EnvelopeHandle> handlesOf(const SkinnedHull& hull) {
   const Eigen::Vector3d middle(hull.middle.x(), hull.middle.y(), 0);
   std::vector<EnvelopeHandle> handles = {
       {.name = topOfSkinned,
-       .label = "top",
+       .label = Shown::tr("top"),
        .place = middle + hull.axis.second * Eigen::Vector3d::UnitZ()},
       {.name = bottomOfSkinned,
-       .label = "bottom",
+       .label = Shown::tr("bottom"),
        .place = middle + hull.axis.first * Eigen::Vector3d::UnitZ()}};
   for (std::size_t side = 0; side < sidesOf(hull); ++side) {
     const std::size_t profile = profileOf(hull, side);
@@ -148,7 +152,7 @@ std::vector<EnvelopeHandle> handlesOf(const SkinnedHull& hull) {
     for (const SkinLevel& level : skinLevels)
       handles.push_back(
           {.name = handleName(side, level),
-           .label = "side " + std::to_string(side + 1) + ", " + level.label,
+           .label = withNumber(level.label, side + 1),
            .place = middle + outOf(hull, profile, level) * outward +
                     hull.profiles[profile][level.place].y() * Eigen::Vector3d::UnitZ(),
            .up = outward});

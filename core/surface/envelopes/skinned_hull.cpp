@@ -2,6 +2,7 @@
 
 #include "core/base/paced_check.h"
 #include "core/base/plane_hull.h"
+#include "core/base/shown.h"
 #include "core/surface/envelopes/outline.h"
 #include "core/surface/envelopes/rings.h"
 
@@ -186,8 +187,9 @@ Envelope envelopeOf(const SkinnedHull& hull) {
   Envelope envelope = envelopeOf(meshOf(hull));
   using Kind = EnvelopeParameter::Kind;
   const std::size_t count = hull.profiles.size();
-  envelope.parameters = {{"profiles", "profiles", Kind::number, static_cast<double>(count)},
-                         {"azimuth", "azimuth of the first profile", Kind::angle, hull.azimuth}};
+  envelope.parameters = {
+      {"profiles", Shown::tr("profiles"), Kind::number, static_cast<double>(count)},
+      {"azimuth", Shown::tr("azimuth of the first profile"), Kind::angle, hull.azimuth}};
   addPlace(envelope.parameters, "axis_bottom", "lower end of the axis",
            onAxis(hull, hull.axis.first));
   addPlace(envelope.parameters, "axis_top", "upper end of the axis",
@@ -229,7 +231,7 @@ Envelope skinnedHull(const Crown& crown, const SkinnedHullOptions& options,
     hull.profiles.push_back(sampled(sectors.profile(i), hull.axis));
   }
   Envelope envelope = envelopeOf(hull);
-  envelope.parameters.push_back({"inside", "share of the points inside",
+  envelope.parameters.push_back({"inside", Shown::tr("share of the points inside"),
                                  EnvelopeParameter::Kind::number,
                                  shareInside(envelope.mesh, crown.points, progress.part(0.8, 1))});
   return envelope;

@@ -1,5 +1,6 @@
 #include "core/surface/envelopes/solids_of_revolution.h"
 
+#include "core/base/shown.h"
 #include "core/surface/envelopes/enclosing_ball.h"
 #include "core/surface/envelopes/least_at.h"
 #include "core/surface/envelopes/rings.h"
@@ -131,14 +132,14 @@ Turned leastTurned(const Crown& crown, int power, const WallOf& wallOf, const Pr
   return {axis, wallAbout(crown, axis, power, wallOf)};
 }
 
-void addSizes(Envelope& envelope, const std::vector<std::pair<std::string, double>>& radii,
-              double height, const Eigen::Vector3d& base) {
-  for (const auto& [name, radius] : radii) {
-    std::string label = name;
-    std::ranges::replace(label, '_', ' ');
-    envelope.parameters.push_back({.name = name, .label = label, .value = radius});
-  }
-  envelope.parameters.push_back({.name = "height", .label = "height", .value = height});
+EnvelopeParameter ofRadius(double radius) {
+  return {.name = "radius", .label = Shown::tr("radius"), .value = radius};
+}
+
+void addSizes(Envelope& envelope, const std::vector<EnvelopeParameter>& radii, double height,
+              const Eigen::Vector3d& base) {
+  envelope.parameters.insert(envelope.parameters.end(), radii.begin(), radii.end());
+  envelope.parameters.push_back({.name = "height", .label = Shown::tr("height"), .value = height});
   addPlace(envelope.parameters, "base", "base", base);
   envelope.height = height;
   double widest = 0;
@@ -165,20 +166,23 @@ Envelope frustumBody(double bottomRadius, double topRadius, double height,
 
 Envelope cylinderOf(double radius, double height, const Eigen::Vector3d& base) {
   Envelope envelope = frustumBody(radius, radius, height, base);
-  addSizes(envelope, {{"radius", radius}}, height, base);
+  addSizes(envelope, {ofRadius(radius)}, height, base);
   return envelope;
 }
 
 Envelope coneOf(double radius, double height, const Eigen::Vector3d& base) {
   Envelope envelope = frustumBody(radius, 0, height, base);
-  addSizes(envelope, {{"radius", radius}}, height, base);
+  addSizes(envelope, {ofRadius(radius)}, height, base);
   return envelope;
 }
 
 Envelope frustumOf(double bottomRadius, double topRadius, double height,
                    const Eigen::Vector3d& base) {
   Envelope envelope = frustumBody(bottomRadius, topRadius, height, base);
-  addSizes(envelope, {{"bottom_radius", bottomRadius}, {"top_radius", topRadius}}, height, base);
+  addSizes(envelope,
+           {{.name = "bottom_radius", .label = Shown::tr("bottom radius"), .value = bottomRadius},
+            {.name = "top_radius", .label = Shown::tr("top radius"), .value = topRadius}},
+           height, base);
   return envelope;
 }
 
@@ -193,7 +197,7 @@ Envelope paraboloidOf(double radius, double height, const Eigen::Vector3d& base)
   const double focal = radius * radius + 4 * height * height;
   envelope.area = pi * radius * radius + pi * radius / (6 * height * height) *
                                              (std::pow(focal, 1.5) - std::pow(radius, 3));
-  addSizes(envelope, {{"radius", radius}}, height, base);
+  addSizes(envelope, {ofRadius(radius)}, height, base);
   return envelope;
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/coordinates.h"
 #include "core/base/error.h"
 #include "core/base/motion_step.h"
+#include "core/base/shown_message.h"
 #include "core/cloud/far_points.h"
 
 #include <algorithm>
@@ -81,12 +82,13 @@ void check(const PointCloud& fixed, const PointCloud& moved, const Isometry3d& s
     throw Error("registration: expected a reach of 0 or more");
   if (!start.matrix().allFinite()) throw Error("registration: the starting motion is not finite");
   if (fixed.size() < 20 || moved.size() < 20)
-    throw Error("a scan of under 20 points cannot be registered: check that it is the right one");
+    throw ShownError({Shown::tr(
+        "a scan of under 20 points cannot be registered: check that it is the right one")});
 }
 
 [[noreturn]] void refuseApart() {
-  throw Error(
-      "the scans do not overlap where they lie: give three pairs of targets, or more reach");
+  throw ShownError({Shown::tr(
+      "the scans do not overlap where they lie: give three pairs of targets, or more reach")});
 }
 
 /// What lengths are measured by.
@@ -101,7 +103,8 @@ Lengths lengthsOf(const PointCloud& fixed, const PointCloud& moved, double reach
   const double spacing = std::max(pointSpacing(fixed.positions(), progress.part(0, 0.5)),
                                   pointSpacing(moved.positions(), progress.part(0.5, 1)));
   if (!(spacing > 0))
-    throw Error("the points of a scan all lie at one place: check that it is the right one");
+    throw ShownError(
+        {Shown::tr("the points of a scan all lie at one place: check that it is the right one")});
   const double diagonal = plantBounds(fixed, {}, progress).diagonal().norm();
   return {.spacing = spacing, .size = diagonal / 2, .reach = reach > 0 ? reach : 0.1 * diagonal};
 }

@@ -1,8 +1,7 @@
 #include "core/align/pair_fit.h"
 
 #include "core/base/coordinates.h"
-#include "core/base/counted.h"
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 
 #include <Eigen/SVD>
 
@@ -20,12 +19,9 @@ Eigen::Vector3d spreadOf(const Eigen::Matrix3Xd& places) {
          std::sqrt(static_cast<double>(places.cols()));
 }
 
-void requirePlane(const Eigen::Vector3d& spread, const std::string& which) {
-  if (!(spread[0] > 0))
-    throw Error("the targets of the " + which + " scan lie at one place: pick them far apart");
-  if (spread[1] < 0.01 * spread[0])
-    throw Error("the targets of the " + which +
-                " scan lie on a line, about which it could turn: pick another beside it");
+void requirePlane(const Eigen::Vector3d& spread, const char* atOnePlace, const char* onALine) {
+  if (!(spread[0] > 0)) throw ShownError({atOnePlace});
+  if (spread[1] < 0.01 * spread[0]) throw ShownError({onALine});
 }
 
 } // namespace
@@ -33,25 +29,37 @@ void requirePlane(const Eigen::Vector3d& spread, const std::string& which) {
 PairFit fitPairs(const std::vector<TargetPair>& pairs) {
   const auto count = static_cast<Eigen::Index>(pairs.size());
   if (count < 3)
-    throw Error(counted(pairs.size(), "pair") +
-                " of targets leave open how the scan lies: pick three or more");
+    throw count == 1
+        ? ShownError(
+              {Shown::tr("1 pair of targets leave open how the scan lies: pick three or more")})
+        : ShownError(
+              {Shown::tr("%1 pairs of targets leave open how the scan lies: pick three or more"),
+               {std::to_string(count)}});
   Eigen::Matrix3Xd moved(3, count);
   Eigen::Matrix3Xd fixed(3, count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const TargetPair& pair = pairs[static_cast<std::size_t>(i)];
     if (!isInRange(pair.moved) || !isInRange(pair.fixed))
-      throw Error("pair " + std::to_string(i + 1) +
-                  ": a coordinate is no number, or beyond 1e12: correct or remove it");
+      throw ShownError(
+          {Shown::tr("pair %1: a coordinate is no number, or beyond 1e12: correct or remove it"),
+           {std::to_string(i + 1)}});
     moved.col(i) = pair.moved;
     fixed.col(i) = pair.fixed;
   }
   const Eigen::Vector3d ofMoved = spreadOf(moved);
   const Eigen::Vector3d ofFixed = spreadOf(fixed);
-  requirePlane(ofMoved, "moved");
-  requirePlane(ofFixed, "fixed");
+  requirePlane(ofMoved,
+               Shown::tr("the targets of the moved scan lie at one place: pick them far apart"),
+               Shown::tr("the targets of the moved scan lie on a line, about which it could turn: "
+                         "pick another beside it"));
+  requirePlane(ofFixed,
+               Shown::tr("the targets of the fixed scan lie at one place: pick them far apart"),
+               Shown::tr("the targets of the fixed scan lie on a line, about which it could turn: "
+                         "pick another beside it"));
   if (ofMoved.norm() > 2 * ofFixed.norm() || ofFixed.norm() > 2 * ofMoved.norm())
-    throw Error("the targets of one scan are over twice as far apart as those of the other: check "
-                "the pairs, and that both scans are in one unit");
+    throw ShownError(
+        {Shown::tr("the targets of one scan are over twice as far apart as those of the other: "
+                   "check the pairs, and that both scans are in one unit")});
 
   const Eigen::Vector3d from = moved.rowwise().mean();
   const Eigen::Vector3d to = fixed.rowwise().mean();

@@ -1,6 +1,6 @@
 #include "core/mtg/entity_edits.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/mtg/unit_edits.h"
 
 #include <algorithm>
@@ -16,8 +16,9 @@ void changeEntity(SkeletonEditor& editor, NodeId id, int scale,
   if (entities.empty()) entities.push_back(ownEntity(editor.skeleton(), id));
   const auto at = std::ranges::find(entities, scale, &Entity::scale);
   if (at == entities.end())
-    throw Error("nothing of scale " + std::to_string(scale) + " begins at " + nameOf(id) +
-                ": choose the node it begins at");
+    throw ShownError(
+        {Shown::tr("nothing of scale %1 begins at node %2: choose the node it begins at"),
+         {std::to_string(scale), std::to_string(indexOf(id))}});
   change(*at);
   editor.setEntities(id, std::move(entities));
 }

@@ -1,6 +1,6 @@
 #include "core/mtg/feature_edits.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/mtg/entity_edits.h"
 #include "core/mtg/mtg_geometry.h"
@@ -116,8 +116,9 @@ void setFeature(SkeletonEditor& editor, NodeId id, int scale, const TypedFeature
 void requireNewFeature(const Skeleton& skeleton, const std::string& name, const Mtg* base) {
   const std::string typed = typedFeatureName(name);
   if (isDeclared(typed, base) || isNamed(addedFeatures(skeleton, base), typed))
-    throw Error("the plant has a feature " + typed +
-                " already: type its value there, or choose another name");
+    throw ShownError({Shown::tr("the plant has a feature %1 already: type its value there, or "
+                                "choose another name"),
+                      {typed}});
 }
 
 void addFeature(SkeletonEditor& editor, NodeId id, int scale, const TypedFeature& typed,
@@ -126,9 +127,11 @@ void addFeature(SkeletonEditor& editor, NodeId id, int scale, const TypedFeature
   TypedFeature added = typed;
   added.feature.name = typedFeatureName(typed.feature.name);
   if (std::ranges::find(featureTypes(), added.feature.type) == featureTypes().end())
-    throw Error(inQuotes(added.feature.type) + " is no type of a feature: choose one of the list");
+    throw ShownError({Shown::tr("%1 is no type of a feature: choose one of the list"),
+                      {inQuotes(added.feature.type)}});
   if (trimmed(added.text).empty())
-    throw Error("the feature " + added.feature.name + " has no value yet: type one");
+    throw ShownError(
+        {Shown::tr("the feature %1 has no value yet: type one"), {added.feature.name}});
   setFeature(editor, id, scale, added, base);
 }
 

@@ -1,6 +1,6 @@
 #include "core/mtg/typed_values.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/mtg/mtg_lines.h"
 
@@ -63,9 +63,9 @@ bool isDate(std::string_view text, std::string_view pattern) {
          hour <= 23 && minute <= 59;
 }
 
-[[noreturn]] void refuse(const MtgFeature& feature, const std::string& text, const char* expected) {
-  throw Error(feature.name + " is of type " + feature.type + ": " + inQuotes(text) + " is not " +
-              expected);
+[[noreturn]] void refuse(const MtgFeature& feature, const std::string& text, const char* sentence,
+                         const std::string& example) {
+  throw ShownError({sentence, {feature.name, feature.type, inQuotes(text), example}});
 }
 
 } // namespace
@@ -75,16 +75,22 @@ std::string typedValue(const MtgFeature& feature, const std::string& text) {
   if (value.empty()) return value;
   if (feature.type == "REAL") {
     const auto number = numberIn(value);
-    if (!number || !std::isfinite(*number)) refuse(feature, value, "a number, such as 12.5");
+    if (!number || !std::isfinite(*number))
+      refuse(feature, value,
+             espalier::Shown::tr("%1 is of type %2: %3 is not a number, such as %4"), "12.5");
   }
   if (feature.type == "INT" && !isWhole(value))
-    refuse(feature, value, "a whole number, such as 12");
+    refuse(feature, value,
+           espalier::Shown::tr("%1 is of type %2: %3 is not a whole number, such as %4"), "12");
   const auto form = std::ranges::find(dateForms, feature.type, &DateForm::type);
   if (form != dateForms.end() && !isDate(value, form->pattern))
-    refuse(feature, value, (std::string("a date, such as ") + form->example).c_str());
+    refuse(feature, value, espalier::Shown::tr("%1 is of type %2: %3 is not a date, such as %4"),
+           form->example);
   if (!survivesMtg(value))
-    throw Error(inQuotes(value) + " cannot stand in an MTG: take out tabs, line ends and comment "
-                                  "signs (# and ;)");
+    throw ShownError(
+        {espalier::Shown::tr(
+             "%1 cannot stand in an MTG: take out tabs, line ends and comment signs (# and ;)"),
+         {inQuotes(value)}});
   return value;
 }
 
@@ -108,16 +114,20 @@ std::string typedFeatureName(const std::string& text) {
   const auto isPart = [](char c) { return isLetter(c) || isDigit(c) || c == '_'; };
   if (name.empty() || name.size() > longest || !isLetter(name.front()) ||
       !std::ranges::all_of(name, isPart))
-    throw Error(inQuotes(name) + " is no name of a feature: type letters, digits and _, such as "
-                                 "Length or leaf_area");
+    throw ShownError(
+        {espalier::Shown::tr(
+             "%1 is no name of a feature: type letters, digits and _, such as Length or leaf_area"),
+         {inQuotes(name)}});
   std::string small = name;
   std::ranges::transform(small, small.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? char(c + ('a' - 'A')) : c; });
   constexpr auto taken = std::to_array<std::string_view>(
       {"x", "y", "z", "xx", "yy", "zz", "radius", "diameter", "alias"});
   if (std::ranges::find(taken, small) != taken.end())
-    throw Error(name + " stands for the position, radius or alias, which have fields of their own: "
-                       "choose another name");
+    throw ShownError(
+        {espalier::Shown::tr("%1 stands for the position, radius or alias, which have fields of "
+                             "their own: choose another name"),
+         {name}});
   return name;
 }
 
@@ -129,8 +139,10 @@ std::string typedAlias(const std::string& text) {
   const bool isWord = alias.empty() || isPart(alias.front());
   if (!isWord || !std::ranges::all_of(
                      alias, [&](char c) { return isPart(c) || c == '_' || c == '-' || c == '.'; }))
-    throw Error(inQuotes(alias) +
-                " is no alias: type letters, digits, and _ - . between them, or nothing");
+    throw ShownError(
+        {espalier::Shown::tr(
+             "%1 is no alias: type letters, digits, and _ - . between them, or nothing"),
+         {inQuotes(alias)}});
   return alias;
 }
 
@@ -138,7 +150,9 @@ std::string typedSymbol(const std::string& text) {
   std::string symbol(trimmed(text));
   constexpr std::size_t longest = 32;
   if (symbol.empty() || symbol.size() > longest || !std::ranges::all_of(symbol, isLetter))
-    throw Error(inQuotes(symbol) + " is no symbol of a class: type letters alone, such as S or GU");
+    throw ShownError(
+        {espalier::Shown::tr("%1 is no symbol of a class: type letters alone, such as S or GU"),
+         {inQuotes(symbol)}});
   return symbol;
 }
 

@@ -1,6 +1,6 @@
 #include "core/mtg/unit_edits.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/mtg/entity_edits.h"
 #include "core/mtg/mtg_scale_shift.h"
@@ -100,22 +100,26 @@ void beginUnit(SkeletonEditor& editor, NodeId id, int scale) {
   const std::vector<Entity>& entities = editor.skeleton()[id].entities;
   const auto found = std::ranges::find(entities, scale, &Entity::scale);
   if (found != entities.end())
-    throw Error(nameOf(*found) + " begins at " + nameOf(id) + " already: choose a node further on");
+    throw ShownError({Shown::tr("%1 begins at node %2 already: choose a node further on"),
+                      {nameOf(*found), std::to_string(indexOf(id))}});
   startUnits(editor, {{id, nextUnit(editor.skeleton(), id, scale)}});
 }
 
 void endUnit(SkeletonEditor& editor, NodeId id, int scale) {
   std::vector<Entity> entities = editor.skeleton()[id].entities;
   const auto found = std::ranges::find(entities, scale, &Entity::scale);
-  const std::string node = nameOf(id);
   if (found == entities.end() || found + 1 == entities.end())
-    throw Error("no unit of scale " + std::to_string(scale) + " begins at " + node +
-                ": choose the node it begins at");
+    throw ShownError(
+        {Shown::tr("no unit of scale %1 begins at node %2: choose the node it begins at"),
+         {std::to_string(scale), std::to_string(indexOf(id))}});
   if (!editor.skeleton()[id].parent)
-    throw Error(node + " is a root, where its units begin: choose a node above it");
+    throw ShownError({Shown::tr("node %1 is a root, where its units begin: choose a node above it"),
+                      {std::to_string(indexOf(id))}});
   if (found != entities.begin())
-    throw Error(nameOf(entities.front()) + " begins at " + node +
-                " too, and units do not reach beyond it: join that one first");
+    throw ShownError(
+        {Shown::tr(
+             "%1 begins at node %2 too, and units do not reach beyond it: join that one first"),
+         {nameOf(entities.front()), std::to_string(indexOf(id))}});
   entities.erase(found);
   editor.setEntities(id, std::move(entities));
 }
@@ -125,8 +129,9 @@ void setClass(SkeletonEditor& editor, NodeId id, int scale, const std::string& s
   const std::string typed = typedSymbol(symbol);
   const auto known = scaleOfClass(typed, editor.skeleton(), base);
   if (known && *known != scale)
-    throw Error("the class " + typed + " is of scale " + std::to_string(*known) +
-                ", this is of scale " + std::to_string(scale) + ": choose another symbol");
+    throw ShownError(
+        {Shown::tr("the class %1 is of scale %2, this is of scale %3: choose another symbol"),
+         {typed, std::to_string(*known), std::to_string(scale)}});
   changeEntity(editor, id, scale, [&](Entity& entity) { entity.symbol = typed; });
 }
 
@@ -134,8 +139,9 @@ void setIndex(SkeletonEditor& editor, NodeId id, int scale, const std::string& i
   const std::string_view text = trimmed(index);
   const std::optional<LabelIndex> typed = LabelIndex::in(text);
   if (!typed && !text.empty())
-    throw Error(inQuotes(text) + " is no index: type a whole number, such as 3, two parted by a "
-                                 "dot, such as 16.1, or nothing");
+    throw ShownError({Shown::tr("%1 is no index: type a whole number, such as 3, two parted by a "
+                                "dot, such as 16.1, or nothing"),
+                      {inQuotes(text)}});
   changeEntity(editor, id, scale, [&](Entity& entity) { entity.index = typed; });
 }
 
@@ -149,8 +155,8 @@ void setAlias(SkeletonEditor& editor, NodeId id, int scale, const std::string& a
   for (const NodeId node : editor.skeleton().ids())
     for (const Entity& each : editor.skeleton()[node].entities)
       if (!typed.empty() && each.alias == typed && !isSameUnit(each))
-        throw Error(inQuotes(typed) + " is the alias of " + nameOf(each) + " at " + nameOf(node) +
-                    " already: choose another one");
+        throw ShownError({Shown::tr("%1 is the alias of %2 at node %3 already: choose another one"),
+                          {inQuotes(typed), nameOf(each), std::to_string(indexOf(node))}});
   changeEntity(editor, id, scale, [&](Entity& entity) { entity.alias = typed; });
 }
 

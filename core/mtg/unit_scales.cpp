@@ -1,6 +1,6 @@
 #include "core/mtg/unit_scales.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/mtg/mtg_skeleton.h"
 #include "core/mtg/mtg_units.h"
 #include "core/mtg/typed_values.h"
@@ -46,7 +46,9 @@ void requireFree(const std::string& symbol, const Skeleton& skeleton, const Mtg*
   for (const NodeId id : skeleton.ids())
     isTaken = isTaken || std::ranges::find(skeleton[id].entities, symbol, &Entity::symbol) !=
                              skeleton[id].entities.end();
-  if (isTaken) throw Error("the plant has a class " + symbol + " already: choose another symbol");
+  if (isTaken)
+    throw ShownError(
+        {espalier::Shown::tr("the plant has a class %1 already: choose another symbol"), {symbol}});
 }
 
 void moveScales(SkeletonEditor& editor, int from) {
@@ -160,12 +162,13 @@ std::vector<NodeId> startsOfNewUnits(const Skeleton& skeleton, int finer) {
 std::size_t commitMarks(SkeletonEditor& editor, const NewScale& scale, const Mtg* base) {
   const std::string symbol = typedSymbol(scale.symbol);
   if (markedNodes(editor.skeleton()).empty())
-    throw Error("no node is marked: mark first where units begin");
+    throw ShownError({espalier::Shown::tr("no node is marked: mark first where units begin")});
   ensureEntities(editor, base);
   requireFree(symbol, editor.skeleton(), base);
   const std::vector<int> scales = scalesOf(editor.skeleton());
   if (scales.size() >= mostScales)
-    throw Error("the plant has " + std::to_string(mostScales) + " scales: there can be no more");
+    throw ShownError({espalier::Shown::tr("the plant has %1 scales: there can be no more"),
+                      {std::to_string(mostScales)}});
   const int finer = scale.finer.value_or(scales.back());
   assert(std::ranges::binary_search(scales, finer));
   const std::vector<NodeId> starts = startsOfNewUnits(editor.skeleton(), finer);

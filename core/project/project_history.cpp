@@ -1,4 +1,5 @@
 // The journal of a project: writing it, and reading it whatever has become of it.
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/project/corrections.h"
 #include "core/project/node_bytes.h"
@@ -404,7 +405,8 @@ void Project::addVersion(const PlantVersion& version) {
   Statement same = database_.prepare("SELECT time FROM version WHERE name = ?");
   same.bindText(1, version.name);
   if (same.step())
-    throw Error("there is a version " + inQuotes(version.name) + " already: choose another name");
+    throw ShownError({Shown::tr("there is a version %1 already: choose another name"),
+                      {inQuotes(version.name)}});
   database_.prepare("INSERT INTO version VALUES (?, ?, ?, ?)")
       .bindText(1, version.name)
       .bind(2, version.time)

@@ -1,6 +1,6 @@
 #include "core/project/seal.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/project/structure_hash.h"
 #include "core/skeleton/review_coverage.h"
 
@@ -30,7 +30,8 @@ std::uint64_t fromHex(const std::string& text) {
   const char* end = text.data() + text.size();
   const auto [stop, failed] = std::from_chars(text.data(), end, value, 16);
   if (text.size() != 16 || stop != end || failed != std::errc())
-    throw Error("the seal has no hash that can be read: sign the structure again");
+    throw ShownError(
+        {espalier::Shown::tr("the seal has no hash that can be read: sign the structure again")});
   return value;
 }
 
@@ -129,13 +130,15 @@ std::size_t SealedState::openFindings() const {
 
 Seal signedBy(const std::string& author, std::int64_t time, const History& history,
               std::optional<SealedState> state) {
-  if (isBlank(author)) throw Error("a seal needs a name: type who signs");
+  if (isBlank(author))
+    throw ShownError({espalier::Shown::tr("a seal needs a name: type who signs")});
   const ReviewCoverage seen = coverage(history.skeleton);
-  if (seen.totalNodes() == 0) throw Error("there is no skeleton to sign: make one first");
+  if (seen.totalNodes() == 0)
+    throw ShownError({espalier::Shown::tr("there is no skeleton to sign: make one first")});
   if (!seen.isComplete())
-    throw Error(std::to_string(seen.totalNodes() - seen.nodes[2]) + " of " +
-                std::to_string(seen.totalNodes()) +
-                " nodes are not reviewed: walk there and review them first");
+    throw ShownError(
+        {espalier::Shown::tr("%1 of %2 nodes are not reviewed: walk there and review them first"),
+         {std::to_string(seen.totalNodes() - seen.nodes[2]), std::to_string(seen.totalNodes())}});
   const auto done = std::span(history.steps).first(history.position);
   return {.author = author,
           .time = time,
@@ -173,7 +176,8 @@ std::string textOf(const Seal& seal) {
 Seal sealFrom(const std::string& text) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || json.value("format", Json()) != format)
-    throw Error("the seal of this structure cannot be read: sign it again");
+    throw ShownError(
+        {espalier::Shown::tr("the seal of this structure cannot be read: sign it again")});
   try {
     const Json& made = json.at("corrections");
     const auto count = [&](const char* key) { return made.at(key).get<std::size_t>(); };
@@ -194,7 +198,8 @@ Seal sealFrom(const std::string& text) {
     if (json.contains("state")) seal.state = stateFrom(json["state"]);
     return seal;
   } catch (const Json::exception&) {
-    throw Error("the seal of this structure is not complete: sign it again");
+    throw ShownError(
+        {espalier::Shown::tr("the seal of this structure is not complete: sign it again")});
   }
 }
 

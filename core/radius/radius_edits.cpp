@@ -1,6 +1,6 @@
 #include "core/radius/radius_edits.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/skeleton/axes.h"
 
 #include <algorithm>
@@ -106,9 +106,12 @@ void limitRadii(SkeletonEditor& editor, const std::vector<NodeId>& nodes) {
 void pipeModelFrom(SkeletonEditor& editor, NodeId from, const std::vector<NodeId>& kept) {
   const Skeleton& skeleton = editor.skeleton();
   if (skeleton[from].radius == 0)
-    throw Error(nameOf(from) + " has no radius yet: measure it, or type one in the inspector");
+    throw ShownError(
+        {Shown::tr("node %1 has no radius yet: measure it, or type one in the inspector"),
+         {std::to_string(indexOf(from))}});
   if (skeleton.children(from).empty())
-    throw Error(nameOf(from) + " carries nothing: choose a node farther from the tips");
+    throw ShownError({Shown::tr("node %1 carries nothing: choose a node farther from the tips"),
+                      {std::to_string(indexOf(from))}});
   std::vector<bool> isKept(skeleton.idEnd(), false);
   for (const NodeId id : kept)
     isKept[indexOf(id)] = skeleton[id].radius > 0;

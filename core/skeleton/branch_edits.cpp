@@ -1,6 +1,6 @@
 #include "core/skeleton/branch_edits.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/skeleton/edits.h"
 
 #include <algorithm>
@@ -12,13 +12,17 @@ namespace {
 void requireArms(const Skeleton& skeleton, NodeId a, NodeId b) {
   for (const NodeId id : {a, b})
     if (!skeleton[id].parent)
-      throw Error(nameOf(id) + " is a root, attached to nothing: choose a node above it");
+      throw ShownError({Shown::tr("node %1 is a root, attached to nothing: choose a node above it"),
+                        {std::to_string(indexOf(id))}});
   if (skeleton[a].parent == skeleton[b].parent)
-    throw Error(nameOf(a) + " and " + nameOf(b) +
-                " are attached to the same node: there is nothing to exchange");
+    throw ShownError(
+        {Shown::tr(
+             "node %1 and node %2 are attached to the same node: there is nothing to exchange"),
+         {std::to_string(indexOf(a)), std::to_string(indexOf(b))}});
   if (skeleton.isAncestor(a, b) || skeleton.isAncestor(b, a))
-    throw Error("of " + nameOf(a) + " and " + nameOf(b) +
-                " one carries the other: choose arms of two branches that cross");
+    throw ShownError({Shown::tr("of node %1 and node %2 one carries the other: choose arms of two "
+                                "branches that cross"),
+                      {std::to_string(indexOf(a)), std::to_string(indexOf(b))}});
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "core/skeleton/edits.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/skeleton/keep_units.h"
 
 #include <algorithm>
@@ -16,7 +16,9 @@ bool isSuccessor(const Skeleton& skeleton, NodeId id) {
 
 void requireParent(const Skeleton& skeleton, NodeId id) {
   if (!skeleton[id].parent)
-    throw Error(nameOf(id) + " is a root and has no edge to a parent: choose a node above it");
+    throw ShownError(
+        {Shown::tr("node %1 is a root and has no edge to a parent: choose a node above it"),
+         {std::to_string(indexOf(id))}});
 }
 
 void removeRoot(SkeletonEditor& editor, NodeId root) {

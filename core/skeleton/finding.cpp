@@ -1,5 +1,7 @@
 #include "core/skeleton/finding.h"
 
+#include "core/base/shown_message.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,11 +17,6 @@ std::string plainLength(double length) {
   text.precision(4);
   text << length;
   return text.str();
-}
-
-std::string counted(double count, const std::string& one, const std::string& many) {
-  const auto whole = std::llround(count);
-  return std::to_string(whole) + ' ' + (whole == 1 ? one : many);
 }
 
 } // namespace
@@ -63,58 +60,68 @@ bool isSame(const Finding& a, const Finding& b) {
   return isOf(a.node, b) && isOf(b.node, a);
 }
 
-std::string describe(const Finding& finding, const Skeleton& skeleton,
-                     const std::function<std::string(double)>& length) {
-  const std::string node = nameOf(finding.node);
-  const std::string other = finding.others.empty() ? "" : nameOf(finding.others.front());
+ShownMessage describe(const Finding& finding, const Skeleton& skeleton,
+                      const std::function<std::string(double)>& length) {
+  const std::string node = std::to_string(indexOf(finding.node));
+  const std::string other =
+      finding.others.empty() ? "" : std::to_string(indexOf(finding.others.front()));
+  const std::string count = std::to_string(std::llround(finding.amount));
+  const bool isOne = count == "1";
   switch (finding.kind) {
   case Kind::separatePiece:
-    return node + " is the root of a separate piece of " + counted(finding.amount, "node", "nodes");
+    if (isOne) return {Shown::tr("node %1 is the root of a separate piece of 1 node"), {node}};
+    return {Shown::tr("node %1 is the root of a separate piece of %2 nodes"), {node, count}};
   case Kind::twoSuccessors:
-    return node + " has " + counted(finding.amount, "successor", "successors") +
-           ": an axis continues once";
+    return {Shown::tr("node %1 has %2 successors: an axis continues once"), {node, count}};
   case Kind::loneBranch:
-    return "an axis begins at " + node + ", though nothing else goes on from " + other;
+    return {Shown::tr("an axis begins at node %1, though nothing else goes on from node %2"),
+            {node, other}};
   case Kind::noLength:
-    return node + " lies on its parent: the edge has no length";
+    return {Shown::tr("node %1 lies on its parent: the edge has no length"), {node}};
   case Kind::duplicatedEdge:
-    return "the edge to " + node + " lies on the one to " + other;
+    return {Shown::tr("the edge to node %1 lies on the one to node %2"), {node, other}};
   case Kind::sharpTurn: {
     const std::string degrees =
-        std::to_string(std::llround(finding.amount * 180 / std::numbers::pi)) + "°";
+        std::to_string(std::llround(finding.amount * 180 / std::numbers::pi));
     const Node& at = skeleton[finding.node];
-    return at.parent && at.edge == EdgeType::branching
-               ? "the branch that begins at " + node + " turns back by " + degrees
-               : "the axis turns by " + degrees + " at " + node;
+    if (at.parent && at.edge == EdgeType::branching)
+      return {Shown::tr("the branch that begins at node %1 turns back by %2°"), {node, degrees}};
+    return {Shown::tr("the axis turns by %2° at node %1"), {node, degrees}};
   }
   case Kind::crossing:
-    return node + " and " + other + " touch, but are not of one branch: " + length(finding.amount) +
-           " apart";
+    return {Shown::tr("node %1 and node %2 touch, but are not of one branch: %3 apart"),
+            {node, other, length(finding.amount)}};
   case Kind::loop:
-    return "the axis that ends at " + node + " comes back onto the wood at " + other;
+    return {Shown::tr("the axis that ends at node %1 comes back onto the wood at node %2"),
+            {node, other}};
   case Kind::radiusAboveParent:
     if (const std::optional<NodeId> parent = skeleton[finding.node].parent)
-      return node + " is thicker than its parent: radius " + length(skeleton[finding.node].radius) +
-             " on " + length(skeleton[*parent].radius);
-    return node + " is thicker than its parent";
+      return {Shown::tr("node %1 is thicker than its parent: radius %2 on %3"),
+              {node, length(skeleton[finding.node].radius), length(skeleton[*parent].radius)}};
+    return {Shown::tr("node %1 is thicker than its parent"), {node}};
   case Kind::edgesWithoutPoints:
-    return length(finding.amount) + " from " + node + " on are far from any point";
+    return {Shown::tr("%2 from node %1 on are far from any point"), {node, length(finding.amount)}};
   case Kind::noOwnPoints:
-    return "the branch at " + node + " has no points of its own along its first " +
-           length(finding.amount);
+    return {Shown::tr("the branch at node %1 has no points of its own along its first %2"),
+            {node, length(finding.amount)}};
   case Kind::besidePoints:
-    return "the wood at " + node + " lies " + length(finding.amount) + " beside its points";
+    return {Shown::tr("the wood at node %1 lies %2 beside its points"),
+            {node, length(finding.amount)}};
   case Kind::shortFoot:
-    return "the points of the stem go on by " + length(finding.amount) + " below " + node;
+    return {Shown::tr("the points of the stem go on by %2 below node %1"),
+            {node, length(finding.amount)}};
   case Kind::unexplainedPoints:
-    return "bare twig, " + counted(finding.amount, "point", "points") + ", " +
-           length(2 * finding.reach) + " long, near " + node;
+    if (isOne)
+      return {Shown::tr("bare twig, 1 point, %2 long, near node %1"),
+              {node, length(2 * finding.reach)}};
+    return {Shown::tr("bare twig, %3 points, %2 long, near node %1"),
+            {node, length(2 * finding.reach), count}};
   }
   return {};
 }
 
 std::string describe(const Finding& finding, const Skeleton& skeleton) {
-  return describe(finding, skeleton, plainLength);
+  return inEnglish(describe(finding, skeleton, plainLength));
 }
 
 std::string nameOf(Kind kind) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/shown_message.h"
 #include "core/cloud/point_cloud.h"
 #include "core/skeleton/skeleton.h"
 
@@ -58,8 +59,8 @@ void place(Finding& finding, const PointCloud& cloud);
 [[nodiscard]] bool isSame(const Finding& a, const Finding& b);
 
 /// "node 12 has 2 successors: an axis continues once". Lengths are written by `length`.
-[[nodiscard]] std::string describe(const Finding& finding, const Skeleton& skeleton,
-                                   const std::function<std::string(double)>& length);
+[[nodiscard]] ShownMessage describe(const Finding& finding, const Skeleton& skeleton,
+                                    const std::function<std::string(double)>& length);
 [[nodiscard]] std::string describe(const Finding& finding, const Skeleton& skeleton);
 
 /// "two_successors", "no_length", "radius_above_parent" ...

@@ -1,6 +1,6 @@
 #include "core/skeleton/path_edits.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/skeleton/axes.h"
 #include "core/skeleton/edits.h"
 
@@ -29,7 +29,8 @@ std::vector<double> lengths(const Skeleton& skeleton, const std::vector<NodeId>&
 
 void requireBetween(const std::vector<NodeId>& path) {
   if (path.size() < 3)
-    throw Error("there is no node between the ends: choose the two ends of a longer path");
+    throw ShownError(
+        {Shown::tr("there is no node between the ends: choose the two ends of a longer path")});
 }
 
 struct Place {
@@ -93,7 +94,8 @@ std::vector<CutStretch> stretchesOf(const Skeleton& skeleton, const std::vector<
     const double edges = std::round(stretch.line.at.back() / step);
     constexpr double most = 1e6;
     if (edges > most)
-      throw Error("edges that short would make over a million nodes: choose a greater length");
+      throw ShownError(
+          {Shown::tr("edges that short would make over a million nodes: choose a greater length")});
     stretch.count = static_cast<std::size_t>(std::max(edges, 1.0)) - 1;
     result.push_back(std::move(stretch));
   }
@@ -177,7 +179,8 @@ void interpolateRadii(SkeletonEditor& editor, const std::vector<NodeId>& path) {
   requireBetween(path);
   for (const NodeId end : {path.front(), path.back()})
     if (editor.skeleton()[end].radius == 0)
-      throw Error(nameOf(end) + " has no radius yet: type one in the inspector first");
+      throw ShownError({Shown::tr("node %1 has no radius yet: type one in the inspector first"),
+                        {std::to_string(indexOf(end))}});
   const std::vector<double> at = lengths(editor.skeleton(), path);
   const double from = editor.skeleton()[path.front()].radius;
   const double to = editor.skeleton()[path.back()].radius;
@@ -193,7 +196,8 @@ void thinOut(SkeletonEditor& editor, const std::vector<NodeId>& path) {
   for (std::size_t i = 1; i + 1 < path.size(); ++i)
     if (isPlain(editor.skeleton(), path[i])) plain.push_back(path[i]);
   if (plain.empty())
-    throw Error("all nodes between the ends branch, or a unit starts there: nothing can go");
+    throw ShownError(
+        {Shown::tr("all nodes between the ends branch, or a unit starts there: nothing can go")});
   for (const NodeId id : plain)
     removeNode(editor, id);
 }

@@ -1,6 +1,6 @@
 #include "core/skeleton/select.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/skeleton/axes.h"
 
 #include <algorithm>
@@ -96,7 +96,8 @@ std::vector<NodeId> ofSimilarRadius(const Skeleton& skeleton, const std::vector<
       ++known;
     }
   if (known == 0)
-    throw Error("the chosen nodes have no radius yet: type one in the inspector first");
+    throw ShownError(
+        {Shown::tr("the chosen nodes have no radius yet: type one in the inspector first")});
   const double mean = sum / known;
   constexpr double rounding = 1e-9;
   return allThat(skeleton, [&](NodeId id) {
@@ -140,8 +141,9 @@ std::vector<NodeId> pathBetween(const Skeleton& skeleton, NodeId from, NodeId to
   std::vector<NodeId> up = upstream(skeleton, {from});
   std::vector<NodeId> down = upstream(skeleton, {to});
   if (up.back() != down.back())
-    throw Error(nameOf(from) + " and " + nameOf(to) +
-                " belong to different trees: choose two of one tree, or join them first");
+    throw ShownError({Shown::tr("node %1 and node %2 belong to different trees: choose two of one "
+                                "tree, or join them first"),
+                      {std::to_string(indexOf(from)), std::to_string(indexOf(to))}});
   while (up.size() > 1 && down.size() > 1 && up[up.size() - 2] == down[down.size() - 2]) {
     up.pop_back();
     down.pop_back();

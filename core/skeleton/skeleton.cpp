@@ -1,6 +1,6 @@
 #include "core/skeleton/skeleton.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 
 #include <algorithm>
 #include <cassert>
@@ -57,7 +57,8 @@ void Skeleton::reserve(std::size_t nodes) {
 
 NodeId Skeleton::add(const Node& node) {
   if (node.parent && !contains(*node.parent))
-    throw Error("the parent, " + nameOf(*node.parent) + ", does not exist: choose another");
+    throw ShownError({Shown::tr("the parent, node %1, does not exist: choose another"),
+                      {std::to_string(indexOf(*node.parent))}});
   const NodeId id{static_cast<std::uint32_t>(nodes_.size())};
   nodes_.emplace_back(node);
   children_.emplace_back();
@@ -101,11 +102,14 @@ void Skeleton::setReview(NodeId id, ReviewMark review) {
 
 void Skeleton::reparent(NodeId id, NodeId parent, EdgeType edge) {
   assert(contains(id));
-  if (!contains(parent)) throw Error(nameOf(parent) + " does not exist: choose another parent");
+  if (!contains(parent))
+    throw ShownError({Shown::tr("node %1 does not exist: choose another parent"),
+                      {std::to_string(indexOf(parent))}});
   const bool isFree = children(id).empty() || isBelowOrBeside((*this)[id], parent, *this);
   if (id == parent || (!isFree && isAncestor(id, parent)))
-    throw Error("cannot attach " + nameOf(id) + " to " + nameOf(parent) +
-                ", which it carries itself: choose a parent outside its branch");
+    throw ShownError({Shown::tr("cannot attach node %1 to node %2, which it carries itself: choose "
+                                "a parent outside its branch"),
+                      {std::to_string(indexOf(id)), std::to_string(indexOf(parent))}});
   unlink(id);
   nodes_[indexOf(id)]->parent = parent;
   nodes_[indexOf(id)]->edge = edge;

@@ -1,6 +1,6 @@
 #include "core/skeleton/tree_edits.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/skeleton/edits.h"
 #include "core/skeleton/keep_units.h"
 #include "core/skeleton/select.h"
@@ -42,8 +42,9 @@ void requireNeighbors(const Skeleton& skeleton, const std::vector<NodeId>& tops)
     const std::optional<NodeId>& parent = skeleton[id].parent;
     const bool isAlone = tops.size() == 1;
     if (!isAlone && (!parent || parent != skeleton[tops.front()].parent))
-      throw Error(nameOf(tops.front()) + " and " + nameOf(id) +
-                  " are not connected: choose nodes linked by edges, or children of one node");
+      throw ShownError({Shown::tr("node %1 and node %2 are not connected: choose nodes linked by "
+                                  "edges, or children of one node"),
+                        {std::to_string(indexOf(tops.front())), std::to_string(indexOf(id))}});
   }
 }
 
@@ -52,7 +53,8 @@ void requireNeighbors(const Skeleton& skeleton, const std::vector<NodeId>& tops)
 void swapSuccessor(SkeletonEditor& editor, NodeId id) {
   std::vector<NodeId> children = editor.skeleton().children(id);
   if (children.size() < 2)
-    throw Error(nameOf(id) + " does not branch: choose a node with two children or more");
+    throw ShownError({Shown::tr("node %1 does not branch: choose a node with two children or more"),
+                      {std::to_string(indexOf(id))}});
   const bool hasSuccessor = editor.skeleton()[children.front()].edge == EdgeType::successor;
   const NodeId before = children.front();
   std::ranges::sort(children, {}, indexOf);
@@ -63,15 +65,17 @@ void swapSuccessor(SkeletonEditor& editor, NodeId id) {
 
 void cutOff(SkeletonEditor& editor, NodeId id) {
   if (!editor.skeleton()[id].parent)
-    throw Error(nameOf(id) + " is a root already: choose a node above it");
+    throw ShownError({Shown::tr("node %1 is a root already: choose a node above it"),
+                      {std::to_string(indexOf(id))}});
   attachInItsUnits(editor, id, std::nullopt);
 }
 
 void joinTree(SkeletonEditor& editor, NodeId id, NodeId onto) {
   const Skeleton& skeleton = editor.skeleton();
   if (rootOf(skeleton, id) == rootOf(skeleton, onto))
-    throw Error(nameOf(id) + " and " + nameOf(onto) +
-                " belong to one tree: reparent one to the other instead");
+    throw ShownError(
+        {Shown::tr("node %1 and node %2 belong to one tree: reparent one to the other instead"),
+         {std::to_string(indexOf(id)), std::to_string(indexOf(onto))}});
   reroot(editor, id);
   editor.reparent(id, onto, edgeOfNewChild(skeleton, onto));
   joinUnitParts(editor, id);
@@ -80,7 +84,8 @@ void joinTree(SkeletonEditor& editor, NodeId id, NodeId onto) {
 NodeId nearestInOtherTree(const Skeleton& skeleton, NodeId id) {
   const std::vector<NodeId> others = inverted(skeleton, treesOf(skeleton, {id}));
   if (others.empty())
-    throw Error("the plant is one tree: there is nothing to join " + nameOf(id) + " to");
+    throw ShownError({Shown::tr("the plant is one tree: there is nothing to join node %1 to"),
+                      {std::to_string(indexOf(id))}});
   NodeId nearest = others.front();
   double least = std::numeric_limits<double>::infinity();
   for (const NodeId other : others) {
@@ -101,8 +106,10 @@ void reroot(SkeletonEditor& editor, NodeId id) {
 void reversePath(SkeletonEditor& editor, NodeId top, NodeId bottom) {
   const Skeleton& skeleton = editor.skeleton();
   if (top == bottom || !skeleton.isAncestor(top, bottom))
-    throw Error(nameOf(top) + " does not carry " + nameOf(bottom) +
-                ": choose the two ends of a path that leads upward");
+    throw ShownError(
+        {Shown::tr(
+             "node %1 does not carry node %2: choose the two ends of a path that leads upward"),
+         {std::to_string(indexOf(top)), std::to_string(indexOf(bottom))}});
   const std::vector<NodeId> path = pathBetween(skeleton, top, bottom);
   const Node first = skeleton[top];
   reverseUnits(editor, path);
@@ -123,7 +130,7 @@ NodeId mergeNodes(SkeletonEditor& editor, const std::vector<NodeId>& nodes) {
   for (const NodeId id : nodes)
     isChosen[indexOf(id)] = true;
   if (std::ranges::count(isChosen, true) < 2)
-    throw Error("there is one node only: choose two or more to merge");
+    throw ShownError({Shown::tr("there is one node only: choose two or more to merge")});
   const std::vector<NodeId> highest = tops(skeleton, nodes, isChosen);
   requireNeighbors(skeleton, highest);
 

@@ -12280,6 +12280,342 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <source>Simulated scan</source>
         <translation>Scan simulé</translation>
     </message>
+    <message>
+        <source>a scan of under 20 points cannot be registered: check that it is the right one</source>
+        <translation>un scan de moins de 20 points ne peut pas être recalé&#xa0;: vérifiez que c’est le bon</translation>
+    </message>
+    <message>
+        <source>the scans do not overlap where they lie: give three pairs of targets, or more reach</source>
+        <translation>les scans ne se recouvrent pas là où ils se trouvent&#xa0;: indiquez trois paires de cibles, ou une portée plus grande</translation>
+    </message>
+    <message>
+        <source>the points of a scan all lie at one place: check that it is the right one</source>
+        <translation>tous les points d’un scan sont au même endroit&#xa0;: vérifiez que c’est le bon</translation>
+    </message>
+    <message>
+        <source>1 pair of targets leave open how the scan lies: pick three or more</source>
+        <translation>1 paire de cibles ne suffit pas à placer le scan&#xa0;: pointez-en trois ou plus</translation>
+    </message>
+    <message>
+        <source>%1 pairs of targets leave open how the scan lies: pick three or more</source>
+        <translation>%1 paires de cibles ne suffisent pas à placer le scan&#xa0;: pointez-en trois ou plus</translation>
+    </message>
+    <message>
+        <source>pair %1: a coordinate is no number, or beyond 1e12: correct or remove it</source>
+        <translation>paire&#xa0;%1&#xa0;: une coordonnée n’est pas un nombre, ou dépasse 1e12&#xa0;: corrigez-la ou retirez-la</translation>
+    </message>
+    <message>
+        <source>the targets of the moved scan lie at one place: pick them far apart</source>
+        <translation>les cibles du scan déplacé sont au même endroit&#xa0;: pointez-les loin les unes des autres</translation>
+    </message>
+    <message>
+        <source>the targets of the moved scan lie on a line, about which it could turn: pick another beside it</source>
+        <translation>les cibles du scan déplacé sont sur une droite, autour de laquelle il pourrait tourner&#xa0;: pointez-en une autre à côté</translation>
+    </message>
+    <message>
+        <source>the targets of the fixed scan lie at one place: pick them far apart</source>
+        <translation>les cibles du scan fixe sont au même endroit&#xa0;: pointez-les loin les unes des autres</translation>
+    </message>
+    <message>
+        <source>the targets of the fixed scan lie on a line, about which it could turn: pick another beside it</source>
+        <translation>les cibles du scan fixe sont sur une droite, autour de laquelle il pourrait tourner&#xa0;: pointez-en une autre à côté</translation>
+    </message>
+    <message>
+        <source>the targets of one scan are over twice as far apart as those of the other: check the pairs, and that both scans are in one unit</source>
+        <translation>les cibles d’un scan sont plus de deux fois plus éloignées que celles de l’autre&#xa0;: vérifiez les paires, et que les deux scans sont dans la même unité</translation>
+    </message>
+    <message>
+        <source>this part has been edited since it was compared: wait until it is compared again</source>
+        <translation>cette partie a été modifiée depuis la comparaison&#xa0;: attendez qu’elle soit de nouveau comparée</translation>
+    </message>
+    <message>
+        <source>what is attached here is of the reference: accept what was missed beside it, or attach it elsewhere</source>
+        <translation>ce qui est attaché ici est de la référence&#xa0;: acceptez ce qui a été manqué à côté, ou rattachez-le ailleurs</translation>
+    </message>
+    <message>
+        <source>without this the plant would fall into several trees: attach elsewhere what it carries, or add what was missed below first</source>
+        <translation>sans cela, la plante se séparerait en plusieurs arbres&#xa0;: rattachez ailleurs ce qu’il porte, ou ajoutez d’abord ce qui a été manqué en dessous</translation>
+    </message>
+    <message>
+        <source>what should bear this is attached to it now: accept that part first</source>
+        <translation>ce qui devrait porter cette partie lui est attaché pour l’instant&#xa0;: acceptez d’abord cette partie-là</translation>
+    </message>
+    <message>
+        <source>nothing of scale %1 begins at node %2: choose the node it begins at</source>
+        <translation>rien d’échelle&#xa0;%1 ne commence au nœud&#xa0;%2&#xa0;: choisissez le nœud où cela commence</translation>
+    </message>
+    <message>
+        <source>the plant has a feature %1 already: type its value there, or choose another name</source>
+        <translation>la plante a déjà un attribut&#xa0;%1&#xa0;: saisissez-y sa valeur, ou choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>%1 is no type of a feature: choose one of the list</source>
+        <translation>%1 n’est pas un type d’attribut&#xa0;: choisissez-en un dans la liste</translation>
+    </message>
+    <message>
+        <source>the feature %1 has no value yet: type one</source>
+        <translation>l’attribut&#xa0;%1 n’a pas encore de valeur&#xa0;: saisissez-en une</translation>
+    </message>
+    <message>
+        <source>%1 is of type %2: %3 is not a number, such as %4</source>
+        <translation>%1 est de type&#xa0;%2&#xa0;: %3 n’est pas un nombre, comme&#xa0;%4</translation>
+    </message>
+    <message>
+        <source>%1 is of type %2: %3 is not a whole number, such as %4</source>
+        <translation>%1 est de type&#xa0;%2&#xa0;: %3 n’est pas un nombre entier, comme&#xa0;%4</translation>
+    </message>
+    <message>
+        <source>%1 is of type %2: %3 is not a date, such as %4</source>
+        <translation>%1 est de type&#xa0;%2&#xa0;: %3 n’est pas une date, comme&#xa0;%4</translation>
+    </message>
+    <message>
+        <source>%1 cannot stand in an MTG: take out tabs, line ends and comment signs (# and ;)</source>
+        <translation>%1 ne peut pas figurer dans un MTG&#xa0;: retirez les tabulations, les fins de ligne et les signes de commentaire (# et&#xa0;;)</translation>
+    </message>
+    <message>
+        <source>%1 is no name of a feature: type letters, digits and _, such as Length or leaf_area</source>
+        <translation>%1 n’est pas un nom d’attribut&#xa0;: saisissez des lettres, des chiffres et _, comme Length ou leaf_area</translation>
+    </message>
+    <message>
+        <source>%1 stands for the position, radius or alias, which have fields of their own: choose another name</source>
+        <translation>%1 désigne la position, le rayon ou l’alias, qui ont leurs propres champs&#xa0;: choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>%1 is no alias: type letters, digits, and _ - . between them, or nothing</source>
+        <translation>%1 n’est pas un alias&#xa0;: saisissez des lettres, des chiffres et, entre eux, _ - ., ou rien</translation>
+    </message>
+    <message>
+        <source>%1 is no symbol of a class: type letters alone, such as S or GU</source>
+        <translation>%1 n’est pas le symbole d’une classe&#xa0;: saisissez seulement des lettres, comme S ou GU</translation>
+    </message>
+    <message>
+        <source>%1 begins at node %2 already: choose a node further on</source>
+        <translation>%1 commence déjà au nœud&#xa0;%2&#xa0;: choisissez un nœud plus loin</translation>
+    </message>
+    <message>
+        <source>no unit of scale %1 begins at node %2: choose the node it begins at</source>
+        <translation>aucune unité d’échelle&#xa0;%1 ne commence au nœud&#xa0;%2&#xa0;: choisissez le nœud où elle commence</translation>
+    </message>
+    <message>
+        <source>node %1 is a root, where its units begin: choose a node above it</source>
+        <translation>le nœud&#xa0;%1 est une racine, où commencent ses unités&#xa0;: choisissez un nœud plus haut</translation>
+    </message>
+    <message>
+        <source>%1 begins at node %2 too, and units do not reach beyond it: join that one first</source>
+        <translation>%1 commence aussi au nœud&#xa0;%2, et des unités ne s’étendent pas au-delà&#xa0;: joignez d’abord celle-là</translation>
+    </message>
+    <message>
+        <source>the class %1 is of scale %2, this is of scale %3: choose another symbol</source>
+        <translation>la classe&#xa0;%1 est d’échelle&#xa0;%2, celle-ci est d’échelle&#xa0;%3&#xa0;: choisissez un autre symbole</translation>
+    </message>
+    <message>
+        <source>%1 is no index: type a whole number, such as 3, two parted by a dot, such as 16.1, or nothing</source>
+        <translation>%1 n’est pas un indice&#xa0;: saisissez un nombre entier, comme 3, deux séparés par un point, comme 16.1, ou rien</translation>
+    </message>
+    <message>
+        <source>%1 is the alias of %2 at node %3 already: choose another one</source>
+        <translation>%1 est déjà l’alias de&#xa0;%2 au nœud&#xa0;%3&#xa0;: choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>the plant has a class %1 already: choose another symbol</source>
+        <translation>la plante a déjà une classe&#xa0;%1&#xa0;: choisissez un autre symbole</translation>
+    </message>
+    <message>
+        <source>no node is marked: mark first where units begin</source>
+        <translation>aucun nœud n’est marqué&#xa0;: marquez d’abord où commencent les unités</translation>
+    </message>
+    <message>
+        <source>the plant has %1 scales: there can be no more</source>
+        <translation>la plante a&#xa0;%1 échelles&#xa0;: il ne peut pas y en avoir davantage</translation>
+    </message>
+    <message>
+        <source>there is a version %1 already: choose another name</source>
+        <translation>il y a déjà une version&#xa0;%1&#xa0;: choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>the seal has no hash that can be read: sign the structure again</source>
+        <translation>l’empreinte du sceau est illisible&#xa0;: signez de nouveau la structure</translation>
+    </message>
+    <message>
+        <source>a seal needs a name: type who signs</source>
+        <translation>un sceau demande un nom&#xa0;: saisissez qui signe</translation>
+    </message>
+    <message>
+        <source>there is no skeleton to sign: make one first</source>
+        <translation>il n’y a pas de squelette à signer&#xa0;: faites-en un d’abord</translation>
+    </message>
+    <message>
+        <source>%1 of %2 nodes are not reviewed: walk there and review them first</source>
+        <translation>%1 nœuds sur&#xa0;%2 ne sont pas révisés&#xa0;: allez-y et révisez-les d’abord</translation>
+    </message>
+    <message>
+        <source>the seal of this structure cannot be read: sign it again</source>
+        <translation>le sceau de cette structure est illisible&#xa0;: signez-la de nouveau</translation>
+    </message>
+    <message>
+        <source>the seal of this structure is not complete: sign it again</source>
+        <translation>le sceau de cette structure n’est pas complet&#xa0;: signez-la de nouveau</translation>
+    </message>
+    <message>
+        <source>node %1 has no radius yet: measure it, or type one in the inspector</source>
+        <translation>le nœud&#xa0;%1 n’a pas encore de rayon&#xa0;: mesurez-le, ou saisissez-en un dans l’inspecteur</translation>
+    </message>
+    <message>
+        <source>node %1 carries nothing: choose a node farther from the tips</source>
+        <translation>le nœud&#xa0;%1 ne porte rien&#xa0;: choisissez un nœud plus loin des extrémités</translation>
+    </message>
+    <message>
+        <source>node %1 is a root, attached to nothing: choose a node above it</source>
+        <translation>le nœud&#xa0;%1 est une racine, attachée à rien&#xa0;: choisissez un nœud plus haut</translation>
+    </message>
+    <message>
+        <source>node %1 and node %2 are attached to the same node: there is nothing to exchange</source>
+        <translation>les nœuds&#xa0;%1 et&#xa0;%2 sont attachés au même nœud&#xa0;: il n’y a rien à échanger</translation>
+    </message>
+    <message>
+        <source>of node %1 and node %2 one carries the other: choose arms of two branches that cross</source>
+        <translation>l’un des nœuds&#xa0;%1 et&#xa0;%2 porte l’autre&#xa0;: choisissez des bras de deux branches qui se croisent</translation>
+    </message>
+    <message>
+        <source>node %1 is a root and has no edge to a parent: choose a node above it</source>
+        <translation>le nœud&#xa0;%1 est une racine et n’a pas d’arête vers un parent&#xa0;: choisissez un nœud plus haut</translation>
+    </message>
+    <message>
+        <source>node %1 is the root of a separate piece of 1 node</source>
+        <translation>le nœud&#xa0;%1 est la racine d’un morceau séparé d’un nœud</translation>
+    </message>
+    <message>
+        <source>node %1 is the root of a separate piece of %2 nodes</source>
+        <translation>le nœud&#xa0;%1 est la racine d’un morceau séparé de&#xa0;%2 nœuds</translation>
+    </message>
+    <message>
+        <source>node %1 has %2 successors: an axis continues once</source>
+        <translation>le nœud&#xa0;%1 a&#xa0;%2 successeurs&#xa0;: un axe ne continue qu’une fois</translation>
+    </message>
+    <message>
+        <source>an axis begins at node %1, though nothing else goes on from node %2</source>
+        <translation>un axe commence au nœud&#xa0;%1, alors que rien d’autre ne continue depuis le nœud&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>node %1 lies on its parent: the edge has no length</source>
+        <translation>le nœud&#xa0;%1 est sur son parent&#xa0;: l’arête est de longueur nulle</translation>
+    </message>
+    <message>
+        <source>the edge to node %1 lies on the one to node %2</source>
+        <translation>l’arête vers le nœud&#xa0;%1 est sur celle vers le nœud&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>the branch that begins at node %1 turns back by %2°</source>
+        <translation>la branche qui commence au nœud&#xa0;%1 revient en arrière de&#xa0;%2°</translation>
+    </message>
+    <message>
+        <source>the axis turns by %2° at node %1</source>
+        <translation>l’axe tourne de&#xa0;%2° au nœud&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>node %1 and node %2 touch, but are not of one branch: %3 apart</source>
+        <translation>les nœuds&#xa0;%1 et&#xa0;%2 se touchent, mais ne sont pas d’une même branche&#xa0;:&#xa0;%3 d’écart</translation>
+    </message>
+    <message>
+        <source>the axis that ends at node %1 comes back onto the wood at node %2</source>
+        <translation>l’axe qui finit au nœud&#xa0;%1 revient sur le bois au nœud&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>node %1 is thicker than its parent: radius %2 on %3</source>
+        <translation>le nœud&#xa0;%1 est plus épais que son parent&#xa0;: rayon&#xa0;%2 sur&#xa0;%3</translation>
+    </message>
+    <message>
+        <source>node %1 is thicker than its parent</source>
+        <translation>le nœud&#xa0;%1 est plus épais que son parent</translation>
+    </message>
+    <message>
+        <source>%2 from node %1 on are far from any point</source>
+        <translation>%2 à partir du nœud&#xa0;%1 sont loin de tout point</translation>
+    </message>
+    <message>
+        <source>the branch at node %1 has no points of its own along its first %2</source>
+        <translation>la branche au nœud&#xa0;%1 n’a pas de points propres sur ses premiers&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>the wood at node %1 lies %2 beside its points</source>
+        <translation>le bois au nœud&#xa0;%1 est à&#xa0;%2 à côté de ses points</translation>
+    </message>
+    <message>
+        <source>the points of the stem go on by %2 below node %1</source>
+        <translation>les points de la tige continuent sur&#xa0;%2 sous le nœud&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>bare twig, 1 point, %2 long, near node %1</source>
+        <translation>brindille nue, 1 point, longue de&#xa0;%2, près du nœud&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>bare twig, %3 points, %2 long, near node %1</source>
+        <translation>brindille nue,&#xa0;%3 points, longue de&#xa0;%2, près du nœud&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>there is no node between the ends: choose the two ends of a longer path</source>
+        <translation>il n’y a pas de nœud entre les extrémités&#xa0;: choisissez les deux extrémités d’un chemin plus long</translation>
+    </message>
+    <message>
+        <source>edges that short would make over a million nodes: choose a greater length</source>
+        <translation>des arêtes aussi courtes feraient plus d’un million de nœuds&#xa0;: choisissez une longueur plus grande</translation>
+    </message>
+    <message>
+        <source>node %1 has no radius yet: type one in the inspector first</source>
+        <translation>le nœud&#xa0;%1 n’a pas encore de rayon&#xa0;: saisissez-en d’abord un dans l’inspecteur</translation>
+    </message>
+    <message>
+        <source>all nodes between the ends branch, or a unit starts there: nothing can go</source>
+        <translation>tous les nœuds entre les extrémités ramifient, ou une unité y commence&#xa0;: rien ne peut être retiré</translation>
+    </message>
+    <message>
+        <source>the chosen nodes have no radius yet: type one in the inspector first</source>
+        <translation>les nœuds choisis n’ont pas encore de rayon&#xa0;: saisissez-en d’abord un dans l’inspecteur</translation>
+    </message>
+    <message>
+        <source>node %1 and node %2 belong to different trees: choose two of one tree, or join them first</source>
+        <translation>les nœuds&#xa0;%1 et&#xa0;%2 sont d’arbres différents&#xa0;: choisissez-en deux d’un même arbre, ou joignez-les d’abord</translation>
+    </message>
+    <message>
+        <source>the parent, node %1, does not exist: choose another</source>
+        <translation>le parent, le nœud&#xa0;%1, n’existe pas&#xa0;: choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>node %1 does not exist: choose another parent</source>
+        <translation>le nœud&#xa0;%1 n’existe pas&#xa0;: choisissez un autre parent</translation>
+    </message>
+    <message>
+        <source>cannot attach node %1 to node %2, which it carries itself: choose a parent outside its branch</source>
+        <translation>impossible d’attacher le nœud&#xa0;%1 au nœud&#xa0;%2, qu’il porte lui-même&#xa0;: choisissez un parent hors de sa branche</translation>
+    </message>
+    <message>
+        <source>node %1 and node %2 are not connected: choose nodes linked by edges, or children of one node</source>
+        <translation>les nœuds&#xa0;%1 et&#xa0;%2 ne sont pas reliés&#xa0;: choisissez des nœuds liés par des arêtes, ou les enfants d’un même nœud</translation>
+    </message>
+    <message>
+        <source>node %1 does not branch: choose a node with two children or more</source>
+        <translation>le nœud&#xa0;%1 ne ramifie pas&#xa0;: choisissez un nœud qui a deux enfants ou plus</translation>
+    </message>
+    <message>
+        <source>node %1 is a root already: choose a node above it</source>
+        <translation>le nœud&#xa0;%1 est déjà une racine&#xa0;: choisissez un nœud plus haut</translation>
+    </message>
+    <message>
+        <source>node %1 and node %2 belong to one tree: reparent one to the other instead</source>
+        <translation>les nœuds&#xa0;%1 et&#xa0;%2 sont d’un même arbre&#xa0;: rattachez plutôt l’un à l’autre</translation>
+    </message>
+    <message>
+        <source>the plant is one tree: there is nothing to join node %1 to</source>
+        <translation>la plante est un seul arbre&#xa0;: il n’y a rien à quoi joindre le nœud&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>node %1 does not carry node %2: choose the two ends of a path that leads upward</source>
+        <translation>le nœud&#xa0;%1 ne porte pas le nœud&#xa0;%2&#xa0;: choisissez les deux extrémités d’un chemin qui monte</translation>
+    </message>
+    <message>
+        <source>there is one node only: choose two or more to merge</source>
+        <translation>il n’y a qu’un nœud&#xa0;: choisissez-en deux ou plus à fusionner</translation>
+    </message>
 </context>
 <context>
     <name>espalier::ShownFlow</name>

@@ -4,6 +4,7 @@
 #include "core/project/contracted_points.h"
 #include "core/project/point_bytes.h"
 #include "ui/document/plant_document.h"
+#include "ui/document/shown_message.h"
 
 #include <string>
 #include <utility>
@@ -72,7 +73,7 @@ std::unique_ptr<Project> ProjectRecorder::stop() {
       while (project_ && (writer_ || !later_.empty()))
         writePiece();
     } catch (const Error& error) {
-      emit failed(QString::fromUtf8(error.what()));
+      emit failed(shownText(error));
     }
   }
   writer_.reset();
@@ -100,7 +101,7 @@ void ProjectRecorder::flush() {
     if (project_->needsSnapshot())
       project_->takeSnapshot(document_.skeleton(), document_.leftOut(), document_.organs());
   } catch (const Error& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(shownText(error));
   }
 }
 
@@ -142,7 +143,7 @@ void ProjectRecorder::save() {
     savedPosition_ = position;
     setBehind(false);
   } catch (const Error& error) {
-    if (!isBehind_) emit failed(QString::fromUtf8(error.what()));
+    if (!isBehind_) emit failed(shownText(error));
     setBehind(true);
   }
 }
@@ -169,7 +170,7 @@ void ProjectRecorder::goOn() {
   } catch (const Error& error) { // reported once: they can be made again
     writer_.reset();
     later_.clear();
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(shownText(error));
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "ui/document/shown_message.h"
 #include "ui/jobs/job_queue.h"
 #include "ui/jobs/yield_to_window.h"
 
@@ -122,7 +123,7 @@ void JobSlot::run(const std::stop_token& stop, Work& work, Done& done) {
     });
   } catch (const Cancelled&) { // nothing to report: whoever canceled knows
   } catch (const std::exception& error) {
-    post([this, stop, text = QString::fromUtf8(error.what())] {
+    post([this, stop, text = shownText(error)] {
       if (!stop.stop_requested()) emit failed(text);
     });
   }

@@ -2,6 +2,7 @@
 
 #include "ui/document/finding_title.h"
 #include "ui/document/plant_document.h"
+#include "ui/document/shown_message.h"
 #include "ui/panels/check_form.h"
 #include "ui/panels/focus_keys.h"
 #include "ui/panels/label_role.h"
@@ -145,7 +146,7 @@ void FindingsPanel::addGroup(const QString& title, const std::vector<Finding>& f
     const auto length = [this](double value) {
       return formatLength(value, document_.unit(), 3).toStdString();
     };
-    QString whole = QString::fromStdString(describe(finding, document_.skeleton(), length));
+    QString whole = shownText(describe(finding, document_.skeleton(), length));
     whole[0] = whole[0].toUpper();
     item->setToolTip(0, whole);
     item->setData(0, numberRole, static_cast<qulonglong>(listed_.size()));

@@ -1,6 +1,7 @@
 #include "app/window/align/scan_registration.h"
 
 #include "core/base/error.h"
+#include "ui/document/shown_message.h"
 
 #include <algorithm>
 #include <cassert>
@@ -42,7 +43,7 @@ void ScanRegistration::fit() {
     byPairs_ = fitPairs(pairs_);
     byPoints_.reset();
   } catch (const Error& error) { // as for targets on a line: another pair may mend it
-    refusal_ = error.what();
+    refusal_ = shownText(error).toStdString();
   }
 }
 

@@ -10,6 +10,7 @@
 #include "core/skeleton/bounds.h"
 #include "core/skeleton/edits.h"
 #include "ui/document/plant_document.h"
+#include "ui/document/shown_message.h"
 #include "ui/jobs/job_slot.h"
 
 #include <QAction>
@@ -296,7 +297,7 @@ void FileFlow::showUnlessKept(const std::function<void()>& show, bool isAnotherP
   try {
     if ((!isAnotherPlant || parts_.mayLeaveScan()) && mayDiscard()) show();
   } catch (const Error& error) { // they were to be saved and could not be
-    emit reported({.text = QString::fromUtf8(error.what()), .isError = true});
+    emit reported({.text = shownText(error), .isError = true});
   }
 }
 

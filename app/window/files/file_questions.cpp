@@ -3,6 +3,7 @@
 #include "app/window/frame/action_set.h"
 #include "core/io/glance.h"
 #include "ui/dialogs/scan_dialog.h"
+#include "ui/document/shown_message.h"
 #include "ui/jobs/job_slot.h"
 
 #include <QFileInfo>
@@ -84,7 +85,7 @@ FileFlow::Read FileFlow::readOrAsk(Opening opening, const NamedColumns& known,
   } catch (const Error& error) {
     const bool isForThePage = look && opening.paths.size() == 1 && (look->text || opening.chosen);
     if (!isForThePage) throw;
-    look->failure = QString::fromUtf8(error.what());
+    look->failure = shownText(error);
     look->chosen = opening.chosen;
     read.look = std::move(look);
     return read;

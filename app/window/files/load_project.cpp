@@ -8,6 +8,7 @@
 #include "core/mtg/mtg_reader.h"
 #include "core/project/content_hash.h"
 #include "core/project/point_bytes.h"
+#include "ui/document/shown_message.h"
 
 #include <algorithm>
 #include <functional>
@@ -34,7 +35,7 @@ void tryTo(LoadedProject& loaded, const std::function<void()>& act) {
   try {
     act();
   } catch (const Error& error) {
-    loaded.notes.append(QString::fromUtf8(error.what()));
+    loaded.notes.append(shownText(error));
   }
 }
 

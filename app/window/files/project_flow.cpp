@@ -7,6 +7,7 @@
 #include "core/io/dropped.h"
 #include "core/mtg/mtg_of_skeleton.h"
 #include "ui/document/plant_document.h"
+#include "ui/document/shown_message.h"
 #include "ui/jobs/job_slot.h"
 
 #include <QFileDialog>
@@ -300,7 +301,7 @@ void ProjectFlow::showBeside(const Project& project, QStringList& notes) {
     try {
       beside.show(project.document(beside.name));
     } catch (const Error& error) {
-      notes.append(QString::fromUtf8(error.what()));
+      notes.append(shownText(error));
       beside.show({});
     }
   }
@@ -365,7 +366,7 @@ bool ProjectFlow::guarded(const std::function<void()>& act) {
     act();
     return true;
   } catch (const Error& error) {
-    reportFailure(QString::fromUtf8(error.what()));
+    reportFailure(shownText(error));
     return false;
   }
 }

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/io/formats.h"
 #include "core/io/glance.h"
+#include "ui/document/shown_message.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -90,7 +91,7 @@ std::optional<ScanLook> lookAtScan(const QStringList& paths, Asking asking,
     look.glance = glanceAt(toPath(*path), look.columns);
   } catch (const Error& error) {
     if (!look.text || look.text->columns.empty()) throw;
-    look.failure = QString::fromUtf8(error.what());
+    look.failure = shownText(error);
   }
   return look;
 }

@@ -2,6 +2,7 @@
 
 #include "app/window/frame/icon.h"
 #include "core/base/error.h"
+#include "ui/document/shown_message.h"
 
 #include <QAbstractSpinBox>
 #include <QAction>
@@ -105,7 +106,7 @@ bool ActionSet::guarded(const std::function<bool()>& act, Refusal refusal, bool 
   try {
     return act();
   } catch (const Error& error) {
-    QString reason = QString::fromUtf8(error.what());
+    QString reason = shownText(error);
     if (refusal != Refusal::inBanner && !reason.isEmpty()) reason[0] = reason[0].toUpper();
     emit refused(reason, refusal);
     return otherwise;

@@ -10,6 +10,7 @@
 #include "core/skeleton/path_edits.h"
 #include "core/skeleton/still_so.h"
 #include "ui/document/plant_document.h"
+#include "ui/document/shown_message.h"
 #include "ui/panels/check_form.h"
 #include "ui/panels/findings_panel.h"
 #include "ui/view/plant_view.h"
@@ -390,7 +391,7 @@ QString FindingsFlow::sentenceOf(const Finding& finding) const {
   const auto length = [this](double value) {
     return formatLength(value, parts_.document.unit(), 3).toStdString();
   };
-  QString whole = QString::fromStdString(describe(finding, parts_.document.skeleton(), length));
+  QString whole = shownText(describe(finding, parts_.document.skeleton(), length));
   whole[0] = whole[0].toUpper();
   const Remedy remedy = remedyOf(finding, parts_.document.skeleton(), spacing());
   const QKeySequence key = parts_.actions[remedy.action]->shortcut();

@@ -4,6 +4,7 @@
 #include "core/evaluate/match/comparable.h"
 #include "core/io/glance.h"
 #include "core/project/content_hash.h"
+#include "ui/document/shown_message.h"
 #include "ui/panels/plant_picture.h"
 
 #include <QDir>
@@ -62,7 +63,7 @@ SurveyedWorklist surveyWorklist(const fs::path& place) {
   try {
     found.list = readWorklist(place);
   } catch (const std::exception& error) {
-    found.problem = QString::fromUtf8(error.what());
+    found.problem = shownText(error);
     return found;
   }
   for (const fs::path& project : found.list.projects)
@@ -100,7 +101,7 @@ ReadPlant readProjectOf(const fs::path& project, const FileStamp& stamp,
     plant.picture = pictureOf(work.skeleton, pictureSize);
     pictures.keep(project, stamp, plant.picture);
   } catch (const std::exception& error) {
-    plant.work.problem = error.what();
+    plant.work.problem = shownText(error).toStdString();
   }
   return plant;
 }
@@ -113,7 +114,7 @@ ReadPlant readScanOf(const fs::path& scan, const FileStamp& stamp, const Picture
     plant.picture = pictureOf(glance.sample, upOfGlance(glance), pictureSize);
     pictures.keep(scan, stamp, plant.picture);
   } catch (const std::exception& error) {
-    plant.work.problem = error.what();
+    plant.work.problem = shownText(error).toStdString();
   }
   return plant;
 }
@@ -122,7 +123,7 @@ KnownWork readHashOf(const fs::path& scan, const Progress& progress) {
   try {
     return {.hash = contentHashOfFile(scan, progress)};
   } catch (const std::exception& error) {
-    return {.problem = error.what()};
+    return {.problem = shownText(error).toStdString()};
   }
 }
 

@@ -1,6 +1,6 @@
 #include "core/evaluate/differences/accept_reference.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/skeleton/edits.h"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace {
 void requireThere(const Skeleton& skeleton, const std::vector<NodeId>& nodes) {
   for (const NodeId id : nodes)
     if (!skeleton.contains(id))
-      throw Error("this part has been edited since it was compared: wait until it is compared "
-                  "again");
+      throw ShownError({Shown::tr(
+          "this part has been edited since it was compared: wait until it is compared again")});
 }
 
 std::size_t carriedNodes(const Skeleton& skeleton, NodeId id) {
@@ -96,15 +96,14 @@ std::vector<NodeId> removeInvented(SkeletonEditor& editor, const Differences& fo
   const std::optional<NodeId> below = skeleton[part.nodes.front()].parent;
   const std::vector<NodeId> invented = inventedNodes(found, part);
   if (invented.empty())
-    throw Error(
-        "what is attached here is of the reference: accept what was missed beside it, or attach "
-        "it elsewhere");
+    throw ShownError({Shown::tr("what is attached here is of the reference: accept what was missed "
+                                "beside it, or attach it elsewhere")});
   attachCarried(editor, found, reference, invented, copied);
   for (std::size_t i = invented.size(); i-- > 0;) // children first
     if (skeleton.contains(invented[i])) removeNode(editor, invented[i]);
   if (skeleton.roots().size() > std::max<std::size_t>(trees, 1))
-    throw Error("without this the plant would fall into several trees: attach elsewhere what it "
-                "carries, or add what was missed below first");
+    throw ShownError({Shown::tr("without this the plant would fall into several trees: attach "
+                                "elsewhere what it carries, or add what was missed below first")});
   return below && skeleton.contains(*below) ? std::vector{*below} : std::vector<NodeId>();
 }
 
@@ -114,7 +113,8 @@ std::vector<NodeId> attachRight(SkeletonEditor& editor, const Differences& found
   requireThere(editor.skeleton(), {part.attached, *part.host});
   const Skeleton& skeleton = editor.skeleton();
   if (skeleton.isAncestor(part.attached, *part.host))
-    throw Error("what should bear this is attached to it now: accept that part first");
+    throw ShownError(
+        {Shown::tr("what should bear this is attached to it now: accept that part first")});
   Graft graft(editor, found, reference, copied);
   Hold right{.host = part.host, .place = part.place, .path = {}, .edge = part.edge};
   const auto along = graft.standing().below(part.attached, [](NodeId) { return false; });

@@ -208,14 +208,10 @@ QString untranslated(QString text) {
   static const QRegularExpression innermost("⟦[^⟦⟧]*⟧");
   while (text.contains(innermost))
     text.remove(innermost);
-  // Sentences that core joins of pieces are in English still: findings, edits that are refused, and
-  // what a step notes of its result.
-  static const QRegularExpression ofCore(
-      "^\\W*(an axis begins at|node \\d+ |the axis |the branch |the edge to |the wood at |"
-      "the points of the stem |bare twig, |there is (no|one) node |\\d+ of \\d+ nodes are not |"
-      "prune: about |about \\d+ of the ).*",
-      QRegularExpression::CaseInsensitiveOption);
-  text.remove(ofCore);
+  // What a step notes of its result is in English.
+  static const QRegularExpression note("^\\W*(prune: )?about \\d+ of the .*",
+                                       QRegularExpression::CaseInsensitiveOption);
+  text.remove(note);
   static const QRegularExpression same(
       "\\b(MTG|Espalier|English|Français|Ctrl|Shift|Alt|Del|Esc|Space|Return|Enter|Tab|Backspace|"
       "Num|Home|End|PgUp|PgDown|Left|Right|Up|Down|Ins|F[0-9]+|XYZ|kg)\\b");

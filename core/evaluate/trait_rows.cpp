@@ -1,7 +1,6 @@
 #include "core/evaluate/trait_rows.h"
 
-#include "core/base/numbered_text.h"
-#include "core/base/shown.h"
+#include "core/base/shown_message.h"
 
 #include <utility>
 
@@ -78,7 +77,8 @@ void addCrown(Rows& rows, const CrownDimensions& crown) {
 void addAngles(Rows& rows, const BranchAngles& angles) {
   rows.begin(Shown::tr("Angles by order"));
   for (std::size_t k = 0; k < angles.byOrder.size(); ++k)
-    rows.add(TraitKind::angle, withNumber(Shown::tr("branching angle, order %1"), k + 1),
+    rows.add(TraitKind::angle,
+             inEnglish({Shown::tr("branching angle, order %1"), {std::to_string(k + 1)}}),
              angles.byOrder[k].mean,
              Shown::tr("Mean, between branches of this order and what bears them"));
   rows.begin(Shown::tr("Branching"));

@@ -14,7 +14,7 @@ namespace espalier {
   return QCoreApplication::translate("espalier::Shown", english.c_str());
 }
 
-/// The same of text with a number in it, which core marked with "%1" in its place: "order 2".
+/// The same of a name with one number in it, which core marked with "%1" in its place: "order 2".
 [[nodiscard]] inline QString numberedText(const std::string& english) {
   constexpr const char* digits = "0123456789";
   const std::size_t begin = english.find_first_of(digits);

@@ -1,7 +1,6 @@
 #include "core/surface/envelopes/skinned_handles.h"
 
-#include "core/base/numbered_text.h"
-#include "core/base/shown.h"
+#include "core/base/shown_message.h"
 
 #include <algorithm>
 #include <array>
@@ -152,7 +151,7 @@ std::vector<EnvelopeHandle> handlesOf(const SkinnedHull& hull) {
     for (const SkinLevel& level : skinLevels)
       handles.push_back(
           {.name = handleName(side, level),
-           .label = withNumber(level.label, side + 1),
+           .label = inEnglish({level.label, {std::to_string(side + 1)}}),
            .place = middle + outOf(hull, profile, level) * outward +
                     hull.profiles[profile][level.place].y() * Eigen::Vector3d::UnitZ(),
            .up = outward});

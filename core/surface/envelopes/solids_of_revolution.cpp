@@ -143,8 +143,8 @@ void addSizes(Envelope& envelope, const std::vector<EnvelopeParameter>& radii, d
   addPlace(envelope.parameters, "base", "base", base);
   envelope.height = height;
   double widest = 0;
-  for (const auto& [name, radius] : radii)
-    widest = std::max(widest, radius);
+  for (const EnvelopeParameter& radius : radii)
+    widest = std::max(widest, radius.value);
   envelope.diameter = 2 * widest;
 }
 

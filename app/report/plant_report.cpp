@@ -250,7 +250,11 @@ ReportSection wood(const Parts& parts) {
 /// A parameter with its unit, as in the first column of a table.
 QString nameOf(const EnvelopeParameter& parameter, const ReportNumbers& numbers) {
   using Kind = EnvelopeParameter::Kind;
-  const QString label = numberedText(parameter.label);
+  // Of a coordinate, the place has a name, and the axis behind it a letter.
+  const std::size_t end =
+      parameter.kind == Kind::coordinate ? parameter.label.rfind(' ') : parameter.label.size();
+  const QString label = shownText(parameter.label.substr(0, end)) +
+                        QString::fromStdString(parameter.label.substr(end));
   return parameter.kind == Kind::length || parameter.kind == Kind::coordinate
              ? numbers.inUnit(label)
              : label;

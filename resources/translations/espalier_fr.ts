@@ -12616,6 +12616,26 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <source>there is one node only: choose two or more to merge</source>
         <translation>il n’y a qu’un nœud&#xa0;: choisissez-en deux ou plus à fusionner</translation>
     </message>
+    <message>
+        <source>corners</source>
+        <translation>sommets</translation>
+    </message>
+    <message>
+        <source>middle of the outline</source>
+        <translation>milieu du contour</translation>
+    </message>
+    <message>
+        <source>lower end of the axis</source>
+        <translation>extrémité basse de l&apos;axe</translation>
+    </message>
+    <message>
+        <source>upper end of the axis</source>
+        <translation>extrémité haute de l&apos;axe</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>base</translation>
+    </message>
 </context>
 <context>
     <name>espalier::ShownFlow</name>

@@ -72,9 +72,10 @@ void addParameters(std::vector<EnvelopeParameter>& parameters, const AsymmetricH
         {"height_" + side, heights[i], Kind::length, hull.heights[i] - hull.bottom.z()});
   }
   parameters.push_back({"azimuth", Shown::tr("azimuth of ahead"), Kind::angle, hull.azimuth});
-  addPlace(parameters, "center", "center", {hull.center.x(), hull.center.y(), hull.bottom.z()});
-  addPlace(parameters, "top", "top", hull.top);
-  addPlace(parameters, "bottom", "bottom", hull.bottom);
+  addPlace(parameters, "center", Shown::tr("center"),
+           {hull.center.x(), hull.center.y(), hull.bottom.z()});
+  addPlace(parameters, "top", Shown::tr("top"), hull.top);
+  addPlace(parameters, "bottom", Shown::tr("bottom"), hull.bottom);
   parameters.push_back({"top_shape", Shown::tr("exponent above"), Kind::number, hull.topShape});
   parameters.push_back(
       {"bottom_shape", Shown::tr("exponent below"), Kind::number, hull.bottomShape});

@@ -27,7 +27,7 @@ Envelope boxOf(const OutlineBox& box, double bottom, double top) {
   parameters.push_back({.name = "length", .label = Shown::tr("length"), .value = box.sides.x()});
   parameters.push_back({.name = "width", .label = Shown::tr("width"), .value = box.sides.y()});
   parameters.push_back({.name = "height", .label = Shown::tr("height"), .value = top - bottom});
-  addPlace(parameters, "center", "center", end((bottom + top) / 2));
+  addPlace(parameters, "center", Shown::tr("center"), end((bottom + top) / 2));
   parameters.push_back({.name = "azimuth",
                         .label = Shown::tr("azimuth"),
                         .kind = EnvelopeParameter::Kind::angle,

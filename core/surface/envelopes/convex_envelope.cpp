@@ -1,5 +1,6 @@
 #include "core/surface/envelopes/convex_envelope.h"
 
+#include "core/base/shown.h"
 namespace espalier {
 
 Envelope convexEnvelope(const Crown& crown) {
@@ -9,7 +10,7 @@ Envelope convexEnvelope(const Crown& crown) {
   mesh.triangles = crown.hull.triangles;
   const auto corners = static_cast<double>(mesh.corners.size());
   return envelopeOf(std::move(mesh),
-                    {{"corners", "corners", EnvelopeParameter::Kind::number, corners}});
+                    {{"corners", Shown::tr("corners"), EnvelopeParameter::Kind::number, corners}});
 }
 
 } // namespace espalier

@@ -74,7 +74,7 @@ Envelope ballOf(const Ball3& ball) {
   }
   Envelope envelope = envelopeOf(meshOfTurned(profile, center.head<2>()));
   envelope.parameters.push_back({.name = "radius", .label = Shown::tr("radius"), .value = radius});
-  addPlace(envelope.parameters, "center", "center", center);
+  addPlace(envelope.parameters, "center", Shown::tr("center"), center);
   envelope.volume = 4 * std::numbers::pi / 3 * radius * radius * radius;
   envelope.area = 4 * std::numbers::pi * radius * radius;
   envelope.diameter = 2 * radius;

@@ -77,7 +77,7 @@ Envelope ellipsoidOf(const Eigen::Vector3d& center, const Eigen::Vector3d& semiA
       {.name = "semi_axis_b", .label = Shown::tr("semi-axis b"), .value = semiAxes[1]});
   envelope.parameters.push_back(
       {.name = "semi_axis_c", .label = Shown::tr("semi-axis c"), .value = semiAxes[2]});
-  addPlace(envelope.parameters, "center", "center", center);
+  addPlace(envelope.parameters, "center", Shown::tr("center"), center);
   envelope.parameters.push_back(
       {.name = "lean",
        .label = Shown::tr("lean"),

@@ -98,7 +98,7 @@ Envelope envelopeOf(const ExtrudedHull& hull) {
       {"profile_corners", Shown::tr("corners of the side profile"), Kind::number,
        count(2 * hull.side.size())}};
   const double level = widestSection(hull).z;
-  addPlace(envelope.parameters, "outline_middle", "middle of the outline",
+  addPlace(envelope.parameters, "outline_middle", Shown::tr("middle of the outline"),
            {hull.middle.x(), hull.middle.y(), level});
   envelope.profiles.resize(2);
   for (const Eigen::Vector2d& corner : hull.outline)

@@ -190,9 +190,9 @@ Envelope envelopeOf(const SkinnedHull& hull) {
   envelope.parameters = {
       {"profiles", Shown::tr("profiles"), Kind::number, static_cast<double>(count)},
       {"azimuth", Shown::tr("azimuth of the first profile"), Kind::angle, hull.azimuth}};
-  addPlace(envelope.parameters, "axis_bottom", "lower end of the axis",
+  addPlace(envelope.parameters, "axis_bottom", Shown::tr("lower end of the axis"),
            onAxis(hull, hull.axis.first));
-  addPlace(envelope.parameters, "axis_top", "upper end of the axis",
+  addPlace(envelope.parameters, "axis_top", Shown::tr("upper end of the axis"),
            onAxis(hull, hull.axis.second));
   envelope.profiles.resize(1 + count); // the first is the outline
   for (const Eigen::Vector2d& corner : hull.outline)

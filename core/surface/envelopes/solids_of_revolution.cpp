@@ -140,7 +140,7 @@ void addSizes(Envelope& envelope, const std::vector<EnvelopeParameter>& radii, d
               const Eigen::Vector3d& base) {
   envelope.parameters.insert(envelope.parameters.end(), radii.begin(), radii.end());
   envelope.parameters.push_back({.name = "height", .label = Shown::tr("height"), .value = height});
-  addPlace(envelope.parameters, "base", "base", base);
+  addPlace(envelope.parameters, "base", Shown::tr("base"), base);
   envelope.height = height;
   double widest = 0;
   for (const EnvelopeParameter& radius : radii)

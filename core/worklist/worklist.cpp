@@ -54,8 +54,7 @@ std::vector<fs::path> filesIn(const fs::path& folder) {
     throw Error(folder.string() + ": cannot be read: " + failed.message() +
                 ": choose another folder");
   std::ranges::sort(files);
-  const auto [again, end] = std::ranges::unique(files);
-  files.erase(again, end);
+  files.erase(std::unique(files.begin(), files.end()), files.end());
   return files;
 }
 
@@ -159,8 +158,7 @@ Worklist worklistOfTable(const fs::path& file) {
   for (const WorklistLine& line : list.lines)
     if (isProjectName(line.file)) list.projects.push_back(line.file); // it may be hidden there
   std::ranges::sort(list.projects);
-  const auto [again, end] = std::ranges::unique(list.projects);
-  list.projects.erase(again, end);
+  list.projects.erase(std::unique(list.projects.begin(), list.projects.end()), list.projects.end());
   return list;
 }
 

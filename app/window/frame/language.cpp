@@ -29,8 +29,7 @@ void install(const QString& file, const QString& folder) {
 QString chosenLanguage(const QSettings& settings, const QStringList& ofSystem) {
   const QStringList wished = QStringList(settings.value("language").toString()) + ofSystem;
   for (const QString& each : wished)
-    if (const QString language = each.section('-', 0, 0); languages.contains(language))
-      return language;
+    if (QString language = each.section('-', 0, 0); languages.contains(language)) return language;
   return languages.front();
 }
 

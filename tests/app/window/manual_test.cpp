@@ -182,7 +182,8 @@ TEST_F(ManualTest, HasEveryChapterPictureAndHeadingThatItNames) {
   }
   for (const auto& file :
        std::filesystem::directory_iterator(test::sourceFolder() / "resources/manual"))
-    EXPECT_TRUE(listed.contains(file.path().filename().string()))
+    EXPECT_TRUE(file.is_directory() || // of chapters in another language
+                listed.contains(file.path().filename().string()))
         << file.path().filename() << " is in no chapter";
 }
 

@@ -156,7 +156,7 @@ std::vector<Method> thinMethods() {
   //
   // Not taken: to thin until the thin wood is 6 or 8 spacings thick, whatever the ratings say
   // (leafy trees and herbs with thin petioles lose most of their branches); to try from a thickness
-  // of 7 spacings on (nothing is better); to rate by thinned points (they tell less); steps of the
+  // of 7 spacings on (nothing is better); to rate by thinned points (they say less); steps of the
   // square root of 2 throughout (the same choices for more time).
   return {asNeededMethod(), chanceMethod(), cubeMethod(), spacingMethod(),
           noMethod(Shown::tr("Keeps as many points as there are."))};

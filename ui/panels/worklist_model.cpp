@@ -49,7 +49,7 @@ std::filesystem::path endOf(const std::filesystem::path& folder, std::ptrdiff_t 
   return end;
 }
 
-/// Of files that have one name, what tells them apart: the shortest ends of their folders.
+/// Of files that have one name, in what they differ: the shortest ends of their folders.
 std::vector<std::filesystem::path> apartBy(const std::vector<std::filesystem::path>& files) {
   const auto ends = [&](std::ptrdiff_t count) {
     std::vector<std::filesystem::path> all;

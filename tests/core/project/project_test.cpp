@@ -8,7 +8,6 @@
 #include "tests/support/plants.h"
 #include "tests/support/shared_data.h"
 
-#include <atomic>
 #include <csignal>
 #include <fstream>
 #include <gmock/gmock.h>
@@ -121,25 +120,6 @@ TEST(Project, ReadsTheLastWorkOfAPlantThatIsPartlyUndone) {
     ASSERT_EQ(last.skeleton, edits.history().skeleton) << "after act " << i;
     const auto done = std::span(edits.history().steps).first(edits.history().position);
     ASSERT_EQ(handWork(last.steps, last.skeleton), handWork(done, edits.history().skeleton));
-  }
-}
-
-TEST(Project, IsReadAsItWasAtOneMomentWhileAnotherWritesToIt) {
-  const fs::path file = test::freshFolder() / "oak.espalier";
-  test::EditsAtRandom edits({.skeleton = test::randomPlant(300, 5)}, 5);
-  Project project = Project::create(file, edits.history());
-  const Project reading = Project::open(file, Access::readOnly);
-  std::atomic<bool> isWriting = true;
-  const std::jthread writer([&] {
-    for (int i = 0; i < 150; ++i) { // more would make each reading longer than the one before
-      const auto act = edits.next();
-      project.record(act.kept, act.added, act.position);
-    }
-    isWriting = false;
-  });
-  for (int i = 0; isWriting; ++i) {
-    ASSERT_THAT(reading.lastWork().notes, testing::IsEmpty()) << "reading " << i;
-    ASSERT_THAT(reading.history().notes, testing::IsEmpty()) << "reading " << i;
   }
 }
 

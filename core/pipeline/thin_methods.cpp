@@ -145,14 +145,15 @@ Method spacingMethod() {
 } // namespace
 
 std::vector<Method> thinMethods() {
-  // As needed, of 77 simulated plants of espalier_accuracy --plants organs (--first 1001 and 3001):
-  // of 6 grasses F within 4 spacings is 0.967 and segments found per true one are 1.33, where
-  // without thinning they are 0.925 and 2.56; of 4 compound herbs T is 0.758 and F 0.683, where
-  // they are 0.667 and 0.706; the other cells are as before, and so are all of --plants any
-  // --seeds 4. Of scans four times as dense, 8 herbs and grasses are all found better or as before.
-  // Chosen on these; then of the leafy scans, a tomato seedling and a maize plant have 3 ends each,
-  // as their authors say, where they had 214 and 182. Where it tries and keeps all points, as of a
-  // shrub in leaf of 100 000 points, a run takes 5.0 s of processor time instead of 1.2.
+  // As needed was chosen on espalier_accuracy --plants organs --first 1001 --seeds 3 and on herbs
+  // and grasses scanned four times as densely. Of the former, F within 4 spacings of 6 grasses is
+  // 0.967 and segments found per true one are 1.33, where without thinning they are 0.925 and 2.56;
+  // the other cells are as before. Held out, --first 3001 --seeds 4: of 4 compound herbs T is
+  // 0.758, but G 0.816 and F 0.683, where they are 0.667, 0.877 and 0.706; the other cells, and all
+  // of --plants any --seeds 4, are as before. Of the leafy scans, looked at after, a tomato
+  // seedling and a maize plant have 3 ends each, as their authors say, where they had 214 and 182.
+  // Where it tries and keeps all points, as of a shrub in leaf of 100 000 points, a run takes 5.0 s
+  // of processor time instead of 1.2.
   //
   // Not taken: to thin until the thin wood is 6 or 8 spacings thick, whatever the ratings say
   // (leafy trees and herbs with thin petioles lose most of their branches); to try from a thickness

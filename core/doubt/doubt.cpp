@@ -21,6 +21,12 @@ const Alternative* addedIn(const Doubt& doubt) {
   return found == doubt.alternatives.end() ? nullptr : &*found;
 }
 
+/// Whether the place that a branch would be added to is one of the plant still: the node, or the
+/// edge below it.
+bool hasPlaceOf(const GrownBranch& branch, const Skeleton& before, const Skeleton& now) {
+  return branch.fraction == 1 || before[branch.on].parent == now[branch.on].parent;
+}
+
 /// Where a branch that would be added begins and ends, in the order of its nodes.
 std::pair<Eigen::Vector3d, Eigen::Vector3d> endsOf(const GrownBranch& branch) {
   const std::vector<NodeId> ids = branch.part.ids();
@@ -101,7 +107,7 @@ void settle(SkeletonEditor& editor, const Doubt& doubt, const Alternative& alter
     break;
   }
   case Alternative::Kind::add:
-    looked = addGrown(editor, {*alternative.branch});
+    looked = addGrown(editor, {*alternative.branch}).front();
     for (std::size_t i = 0; i < looked.size(); ++i) // those that they carry, too
       std::ranges::copy(editor.skeleton().children(looked[i]), std::back_inserter(looked));
     break;
@@ -116,6 +122,7 @@ void settle(SkeletonEditor& editor, const Doubt& doubt, const Alternative& alter
 std::size_t decideByOdds(SkeletonEditor& editor, const std::vector<Doubt>& doubts, double least) {
   using Kind = Alternative::Kind;
   std::size_t changed = 0;
+  const Skeleton before = editor.skeleton();
   std::vector<GrownBranch> added;
   // What goes first, so that nothing is attached to it; what is new last and all at once, as the
   // places on edges are those of now.
@@ -125,6 +132,7 @@ std::size_t decideByOdds(SkeletonEditor& editor, const std::vector<Doubt>& doubt
       if (likeliest.kind != kind || likeliest.probability < least) continue;
       if (!isThere(doubt, editor.skeleton())) continue;
       if (kind == Kind::add) {
+        if (!hasPlaceOf(*likeliest.branch, before, editor.skeleton())) continue;
         added.push_back(*likeliest.branch);
         ++changed;
         continue;

@@ -7,12 +7,8 @@
 namespace espalier {
 namespace {
 
-/// Of the wood that a doubt is about, how much is probably wrong [L].
-double wrongIn(const Doubt& doubt, const Skeleton& skeleton, const ErrorRatings& ratings) {
-  double wrong = 0;
-  for (const NodeId id : doubt.nodes)
-    wrong += ratings.ofEdges[indexOf(id)] * edgeLength(skeleton, id);
-  return wrong;
+bool isReviewed(const Skeleton& skeleton, NodeId id) {
+  return skeleton[id].review.state == ReviewState::reviewed;
 }
 
 double missedBy(const Doubt& doubt) { // [L]
@@ -25,8 +21,7 @@ ExpectedAgreement expectedAgreement(const Skeleton& skeleton, const ErrorRatings
                                     const std::vector<Doubt>& doubts) {
   ExpectedAgreement expected;
   for (const NodeId id : skeleton.ids()) {
-    const bool isSure = skeleton[id].review.state == ReviewState::reviewed;
-    const double odds = isSure ? 0 : ratings.ofEdges[indexOf(id)];
+    const double odds = isReviewed(skeleton, id) ? 0 : ratings.ofEdges[indexOf(id)];
     const double length = edgeLength(skeleton, id);
     expected.right += (1 - odds) * length;
     expected.wrong += odds * length;
@@ -39,9 +34,18 @@ ExpectedAgreement expectedAgreement(const Skeleton& skeleton, const ErrorRatings
 std::size_t answersFor(double goal, const Skeleton& skeleton, const ErrorRatings& ratings,
                        const std::vector<Doubt>& doubts) {
   ExpectedAgreement expected = expectedAgreement(skeleton, ratings, doubts);
+  std::vector<bool> isSure(skeleton.idEnd(), false); // reviewed, or answered by those before
+  for (const NodeId id : skeleton.ids())
+    isSure[indexOf(id)] = isReviewed(skeleton, id);
   for (std::size_t i = 0; i < doubts.size(); ++i) {
     if (expected.share() >= goal) return i;
-    const double wrong = std::min(wrongIn(doubts[i], skeleton, ratings), expected.wrong);
+    double wrong = 0;
+    for (const NodeId id : doubts[i].nodes) {
+      if (isSure[indexOf(id)]) continue;
+      isSure[indexOf(id)] = true;
+      wrong += ratings.ofEdges[indexOf(id)] * edgeLength(skeleton, id);
+    }
+    wrong = std::min(wrong, expected.wrong);
     expected.wrong -= wrong;
     expected.right += wrong + missedBy(doubts[i]);
     expected.missed = std::max(0.0, expected.missed - missedBy(doubts[i]));

@@ -4,10 +4,12 @@
 #include "core/pipeline/grow_part.h"
 #include "core/skeleton/checks_of_scan.h"
 #include "core/skeleton/path_edits.h"
+#include "core/skeleton/select.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace espalier {
@@ -69,22 +71,23 @@ std::vector<MissingBranch> missingBranches(const Skeleton& skeleton, const Doubt
   std::erase_if(branches, [](const GrownBranch& branch) { return branch.part.size() < 2; });
   Skeleton plant = skeleton; // with them
   SkeletonEditor editor(plant);
-  const std::size_t firstNew = skeleton.idEnd();
-  std::vector<std::size_t> branchOf; // by id, from the first new one on
-  std::vector<MissingBranch> missing;
-  for (GrownBranch& branch : branches) {
-    static_cast<void>(addGrown(editor, {branch}));
-    branchOf.resize(plant.idEnd() - firstNew, missing.size());
-    const double gap = gapOf(branch, skeleton, spacing);
-    missing.push_back({.branch = std::move(branch), .evidence = {}, .gap = gap});
-  }
+  // All at once, as their places on edges are those of the plant without them.
+  const std::vector<std::vector<NodeId>> first = addGrown(editor, branches);
   static_cast<void>(editor.commit());
+  std::vector<std::optional<std::size_t>> branchOf(plant.idEnd()); // by id
+  std::vector<MissingBranch> missing;
+  for (std::size_t i = 0; i < branches.size(); ++i) {
+    for (const NodeId id : downstream(plant, first[i]))
+      branchOf[indexOf(id)] = i;
+    const double gap = gapOf(branches[i], skeleton, spacing);
+    missing.push_back({.branch = std::move(branches[i]), .evidence = {}, .gap = gap});
+  }
   const EndsOfSkeleton ends(plant, cloud.positions(), cloud.origin(), sources.scale,
                             progress.part(0.8, 1));
   for (const EndsOfSkeleton::End& end : ends.ends()) {
-    const std::size_t tip = indexOf(end.end.nodes.front());
-    if (tip < firstNew) continue;
-    EndEvidence& evidence = missing[branchOf[tip - firstNew]].evidence;
+    const std::optional<std::size_t> branch = branchOf[indexOf(end.end.nodes.front())];
+    if (!branch) continue;
+    EndEvidence& evidence = missing[*branch].evidence;
     if (end.evidence.length > evidence.length) evidence = end.evidence;
   }
   std::erase_if(missing, [](const MissingBranch& one) { return one.evidence.length == 0; });

@@ -14,6 +14,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -440,23 +441,23 @@ std::vector<GrownBranch> attached(const Skeleton& plant, const std::vector<NodeI
   return Attaching(plant, onto, grown, cloud, options, progress).run();
 }
 
-std::vector<NodeId> addGrown(SkeletonEditor& editor, const std::vector<GrownBranch>& branches) {
-  std::vector<const GrownBranch*> downward;
-  downward.reserve(branches.size());
-  for (const GrownBranch& branch : branches)
-    downward.push_back(&branch);
-  std::ranges::stable_sort(downward, std::greater<>(), &GrownBranch::fraction);
+std::vector<std::vector<NodeId>> addGrown(SkeletonEditor& editor,
+                                          const std::vector<GrownBranch>& branches) {
+  std::vector<std::size_t> downward(branches.size());
+  std::iota(downward.begin(), downward.end(), std::size_t{0});
+  std::ranges::stable_sort(downward, std::greater<>(),
+                           [&](std::size_t i) { return branches[i].fraction; });
   std::map<NodeId, std::pair<NodeId, double>> left; // of an edge: its upper node, and where that is
-  std::vector<NodeId> first;
-  for (const GrownBranch* branch : downward) {
-    NodeId on = branch->on;
-    if (branch->fraction < 1) {
+  std::vector<std::vector<NodeId>> first(branches.size());
+  for (const std::size_t i : downward) {
+    const GrownBranch& branch = branches[i];
+    NodeId on = branch.on;
+    if (branch.fraction < 1) {
       const auto [upper, at] = left.try_emplace(on, on, 1.0).first->second;
-      on = splitEdge(editor, upper, branch->fraction / at);
-      left[branch->on] = {on, branch->fraction};
+      on = splitEdge(editor, upper, branch.fraction / at);
+      left[branch.on] = {on, branch.fraction};
     }
-    for (const NodeId id : addCarried(editor, on, branch->part))
-      first.push_back(id);
+    first[i] = addCarried(editor, on, branch.part);
   }
   return first;
 }

@@ -49,7 +49,8 @@ attached(const Skeleton& plant, const std::vector<NodeId>& onto, const Skeleton&
          const PointCloud& cloud, const AttachOptions& options, const Progress& progress = {});
 
 /// Adds branches to the plant they were grown for; their places on edges become new nodes.
-/// @return the first new nodes of each branch
-std::vector<NodeId> addGrown(SkeletonEditor& editor, const std::vector<GrownBranch>& branches);
+/// @return the first new nodes of each branch, as many as there are branches
+std::vector<std::vector<NodeId>> addGrown(SkeletonEditor& editor,
+                                          const std::vector<GrownBranch>& branches);
 
 } // namespace espalier

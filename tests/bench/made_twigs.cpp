@@ -240,9 +240,10 @@ std::vector<NodeId> newNodes(const Skeleton& after, const Skeleton& before,
 Made withGrown(const Skeleton& plant, const std::vector<GrownBranch>& branches) {
   Made made{plant, {}};
   SkeletonEditor editor(made.plant);
-  const std::vector<NodeId> first = addGrown(editor, branches);
+  for (const std::vector<NodeId>& first : addGrown(editor, branches))
+    made.added.insert(made.added.end(), first.begin(), first.end());
   (void)editor.commit();
-  made.added = newNodes(made.plant, plant, first);
+  made.added = newNodes(made.plant, plant, made.added);
   return made;
 }
 

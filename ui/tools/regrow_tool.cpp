@@ -159,7 +159,10 @@ void RegrowTool::acceptBranches() {
                       .arg(nodeName(branch.on))
                       .toStdString());
   std::vector<NodeId> added;
-  document().edit(text_, [&](SkeletonEditor& editor) { added = addGrown(editor, wanted); });
+  document().edit(text_, [&](SkeletonEditor& editor) {
+    for (const std::vector<NodeId>& first : addGrown(editor, wanted))
+      added.insert(added.end(), first.begin(), first.end());
+  });
   document().selection().set(downstream(document().skeleton(), added));
   cancel();
 }

@@ -1,11 +1,13 @@
 #include "core/base/error.h"
 #include "core/doubt/doubt.h"
+#include "core/doubt/expected_agreement.h"
 #include "core/doubt/learned_odds.h"
 #include "core/skeleton/edits.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -184,6 +186,58 @@ TEST(DecideByOdds, AddsBranchesToOneEdgeWhereTheyBelong) {
     if (indexOf(id) > 5 && plant[id].position.x() == 0) heights.push_back(plant[id].position.z());
   std::ranges::sort(heights);
   EXPECT_EQ(heights, (std::vector<double>{1.25, 1.75}));
+}
+
+// The branch goes to node 2; what is missing would leave the edge by which it is attached to 1.
+TEST(DecideByOdds, AddsNothingToAnEdgeThatGoesElsewhere) {
+  Doubt moves = aboutBranch();
+  std::swap(moves.alternatives[0], moves.alternatives[1]);
+  moves.alternatives[0].probability = 0.9;
+  moves.present = 1;
+  Doubt missing = aboutMissing({0.2, 0.5, 1.3});
+  missing.node = NodeId(4);
+  missing.alternatives[0].probability = 0.9;
+  missing.alternatives[0].branch->on = NodeId(4);
+  for (const double fraction : {0.5, 1.0}) {
+    missing.alternatives[0].branch->fraction = fraction;
+    Skeleton plant = stemWithBranch();
+    SkeletonEditor editor(plant);
+    const bool isAtNode = fraction == 1;
+    EXPECT_EQ(decideByOdds(editor, {missing, moves}), isAtNode ? 2U : 1U);
+    (void)editor.commit();
+    EXPECT_EQ(plant[NodeId(4)].parent, NodeId(2));
+    EXPECT_EQ(plant.size(), isAtNode ? 7U : 6U);
+  }
+  Skeleton stays = stemWithBranch();
+  SkeletonEditor editor(stays);
+  missing.alternatives[0].branch->fraction = 0.5;
+  EXPECT_EQ(decideByOdds(editor, {missing}), 1U);
+  EXPECT_EQ(stays.size(), 8U);
+}
+
+// A stem and what answers would settle: its upper half; the last edge of that; the branch.
+TEST(AnswersFor, CountsWoodOnceAndNoneThatWasReviewed) {
+  Skeleton plant = stemWithBranch();
+  const auto about = [](std::vector<NodeId> nodes) {
+    Doubt doubt = aboutBranch();
+    doubt.node = nodes.front();
+    doubt.nodes = std::move(nodes);
+    return doubt;
+  };
+  const std::vector<Doubt> doubts = {about({NodeId(2), NodeId(3)}), about({NodeId(3)}),
+                                     about({NodeId(4), NodeId(5)})};
+  ErrorRatings ratings{
+      .ofEdges = std::vector<double>(plant.idEnd(), 0), .pieces = {}, .evidence = {}};
+  for (const NodeId id : {NodeId(2), NodeId(3), NodeId(4), NodeId(5)})
+    ratings.ofEdges[indexOf(id)] = 0.5;
+  const double all = 3 + 2 * std::sqrt(0.5);
+  const double afterTwo = 1 - std::sqrt(0.5) / all; // the branch may still be wrong
+  EXPECT_EQ(answersFor(afterTwo - 1e-9, plant, ratings, doubts), 1U);
+  EXPECT_EQ(answersFor(afterTwo + 1e-9, plant, ratings, doubts), 3U);
+  EXPECT_EQ(answersFor(1 - 1e-9, plant, ratings, doubts), 3U);
+  // What is reviewed is right already: an answer about it adds nothing.
+  plant.setReview(NodeId(3), {.state = ReviewState::reviewed, .reviewer = "Ann"});
+  EXPECT_EQ(answersFor(afterTwo - 1e-9, plant, ratings, {doubts[1], doubts[0], doubts[2]}), 2U);
 }
 
 TEST(LearnedOdds, AreThoseThatWereFittedUntilSomethingIsAnswered) {

@@ -1,6 +1,10 @@
 #include "core/doubt/interview.h"
+#include "core/doubt/missing_branches.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/plant_scale.h"
+#include "core/skeleton/edits.h"
+#include "core/skeleton/length_along.h"
+#include "core/skeleton/select.h"
 #include "tests/support/clouds.h"
 #include "tests/support/simulated.h"
 
@@ -124,6 +128,39 @@ TEST(FindDoubts, AsksWhatABranchGrowsFromThatIsAttachedToWoodBesideIt) {
 }
 
 TEST(FindDoubts, StopsWhenAsked) {
+// Two equal branches without wood leave one long edge of the stem: the evidence of each is that of
+// a branch which begins where it was found to.
+TEST(MissingBranches, BeginWhereTheyWereFoundThoughTheyLeaveOneEdge) {
+  Skeleton stem;
+  std::optional<NodeId> last;
+  for (const double z : {0.0, 0.2, 0.4, 1.6, 1.8, 2.0})
+    last = stem.add({.position = {0, 0, z}, .radius = 0.04, .parent = last});
+  const auto branchAt = [](double z, double side) {
+    return test::cylinder({side * 0.04, 0, z}, {side * 0.6, 0, z}, 0.02, 0.02);
+  };
+  const Eigen::Matrix3Xf points = test::both(test::cylinder({0, 0, 0}, {0, 0, 2}, 0.04, 0.02),
+                                             test::both(branchAt(0.8, 1), branchAt(1.2, -1)));
+  RawPoints raw;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    raw.positions.emplace_back(points.col(i).cast<double>());
+  const auto cloud = std::make_shared<const PointCloud>(std::move(raw));
+  const PlantScale scale = scaleOf(*cloud, {}, UpAxis::z);
+  const SpatialIndex index(cloud->positions());
+  const PointDistances distances(cloud, scale.spacing, stem);
+  const std::vector<MissingBranch> missing =
+      missingBranches(stem, {.distances = distances, .index = index, .scale = scale});
+  ASSERT_EQ(missing.size(), 2U);
+  EXPECT_EQ(missing[0].branch.on, missing[1].branch.on);
+  EXPECT_LT(missing[0].branch.fraction, missing[1].branch.fraction);
+  for (const MissingBranch& one : missing) {
+    const std::vector<NodeId> ids = one.branch.part.ids();
+    double length = 0;
+    for (const NodeId id : ids)
+      length += edgeLength(one.branch.part, id);
+    EXPECT_NEAR(one.evidence.length * scale.spacing, length, 0.02 * length);
+  }
+}
+
   EXPECT_TRUE(test::stopsWhenAsked([](const Progress& progress) { (void)doubtsOfTree(progress); }));
 }
 

@@ -5,6 +5,7 @@
 #include "app/cli/pipeline_flags.h"
 #include "app/cli/terminal.h"
 #include "core/base/error.h"
+#include "core/doubt/doubts_of.h"
 #include "core/doubt/interview.h"
 #include "core/evaluate/compared_plants.h"
 #include "core/evaluate/match/tolerance_curve.h"
@@ -85,10 +86,11 @@ void run(const AnswerFlags& flags) {
   const Threads threads(pipeline.threads);
   const PipelineOptions options = pipeline.options("skeleton");
   const ReadOptions reading = pipeline.read.options();
+  const std::vector<std::string> inputs = {pipeline.scan, pipeline.preset, flags.oracle,
+                                           flags.plant};
   requireApart({pipeline.output, pipeline.json});
-  if (!pipeline.output.empty())
-    requireOutput(pipeline.output, Content::structure, {pipeline.scan, flags.oracle, flags.plant});
-  requireOutput(pipeline.json, {pipeline.scan, flags.oracle, flags.plant});
+  if (!pipeline.output.empty()) requireOutput(pipeline.output, Content::structure, inputs);
+  requireOutput(pipeline.json, inputs);
   const TerminalProgress terminal;
   const Skeleton reference = skeletonIn(flags.oracle);
   auto scan = readPoints(pipeline.scan, reading, terminal.progress().part(0, 0.05, "Read"));
@@ -105,7 +107,7 @@ void run(const AnswerFlags& flags) {
   const Eigen::Vector3d up = turnUpright(options.up).row(2).transpose();
   const auto order =
       static_cast<AskingOrder>(std::ranges::find(orderNames(), flags.order) - orderNames().begin());
-  Interview interview(cloud, plant, laid, found.scale, up,
+  Interview interview(pointsOf(cloud, found), plant, laid, found.scale, up,
                       {.tolerance = distance, .order = order, .seed = flags.seed},
                       terminal.progress().part(0.2, 0.25, "Finding doubts"));
   auto rows = nlohmann::ordered_json::array();
@@ -128,9 +130,8 @@ void run(const AnswerFlags& flags) {
   }
   nlohmann::ordered_json rest;
   if (flags.decidesRest) {
-    const std::size_t changed = interview.decideRest(terminal.progress());
+    interview.decideRest(terminal.progress());
     rest = rowOf(interview, distance, terminal.progress());
-    rest["changes"] = changed;
     terminal.clear();
     std::printf("the rest decided by the odds as they are learned:\n");
     print(rest);
@@ -174,10 +175,11 @@ void addAnswer(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--seed", flags->seed, "The same seed gives the same random order")
       ->type_name("N")
+      ->check(wholeNumber(0, 1e15))
       ->capture_default_str();
   command->add_option("--distance", flags->distance, "How far apart counts as near")
       ->type_name("LENGTH")
-      ->check(CLI::PositiveNumber)
+      ->check(number(1e-12, 1e12))
       ->default_str("2/9 of the median edge");
   command->add_flag("--no-register", flags->noRegister,
                     "Compare the two where they lie; without it the reference is first laid on "

@@ -6,12 +6,16 @@
 
 namespace espalier {
 
+std::shared_ptr<const PointCloud> pointsOf(const std::shared_ptr<const PointCloud>& cloud,
+                                           const Reconstruction& result) {
+  return result.apart ? std::make_shared<const PointCloud>(without(*cloud, *result.apart)) : cloud;
+}
+
 RatedDoubts doubtsOf(const std::shared_ptr<const PointCloud>& cloud, const Reconstruction& result,
                      UpAxis up, const Progress& progress) {
   const Skeleton& skeleton = *result.skeleton;
   if (skeleton.size() < 2 || !(result.scale.spacing > 0)) return {};
-  const auto points =
-      result.apart ? std::make_shared<const PointCloud>(without(*cloud, *result.apart)) : cloud;
+  const auto points = pointsOf(cloud, result);
   const SpatialIndex index(points->positions(), progress);
   const PointDistances distances(points, result.scale.spacing, skeleton, progress.part(0, 0.2));
   const Eigen::Vector3d upward = turnUpright(up).row(2).transpose();

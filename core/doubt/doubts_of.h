@@ -15,6 +15,11 @@ struct RatedDoubts {
   ErrorRatings ratings;
 };
 
+/// The points of a cloud that a reconstruction is of, and its scale was measured on: without those
+/// that cleaning set apart. Time O(N) if there are any.
+[[nodiscard]] std::shared_ptr<const PointCloud>
+pointsOf(const std::shared_ptr<const PointCloud>& cloud, const Reconstruction& result);
+
 /// Nothing is in doubt, and no edge is rated, of a skeleton of less than two nodes.
 /// @param cloud  that `result` is from
 /// @throws Cancelled if `progress` asks to stop

@@ -69,12 +69,11 @@ bool Interview::askNext(const Progress& progress) {
   return true;
 }
 
-std::size_t Interview::decideRest(const Progress& progress) {
+void Interview::decideRest(const Progress& progress) {
   SkeletonEditor editor(plant_);
-  const std::size_t changed = decideByOdds(editor, doubts_);
+  changes_ += decideByOdds(editor, doubts_);
   distances_.update(plant_, editor.commit());
   find(progress);
-  return changed;
 }
 
 ExpectedAgreement Interview::expected(const Progress& progress) const {

@@ -45,13 +45,13 @@ public:
   bool askNext(const Progress& progress = {});
 
   /// Decides all that is still in doubt by the odds as they are learned (decideByOdds()).
-  /// @return how many doubts changed the plant
-  std::size_t decideRest(const Progress& progress = {});
+  void decideRest(const Progress& progress = {});
 
   [[nodiscard]] const Skeleton& plant() const { return plant_; }
   [[nodiscard]] const Skeleton& reference() const { return reference_; }
   [[nodiscard]] std::size_t answers() const { return answered_.size(); }
-  [[nodiscard]] std::size_t changes() const { return changes_; } // answers that were not "as it is"
+  /// Answers that were not "as it is", and what decideRest() decided otherwise than it was.
+  [[nodiscard]] std::size_t changes() const { return changes_; }
   [[nodiscard]] const std::vector<Doubt>& doubts() const { return doubts_; } // still to be asked
   /// As the program expects it. Cost: as errorRatings().
   [[nodiscard]] ExpectedAgreement expected(const Progress& progress = {}) const;

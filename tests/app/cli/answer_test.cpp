@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
+
 namespace espalier {
 namespace {
 
@@ -24,8 +26,41 @@ TEST_F(Answer, PrintsScoresAndWritesThePlantAndTheNumbers) {
   EXPECT_EQ(json["rows"].back()["answers"], 12);
   EXPECT_EQ(json["order"], "gain");
   EXPECT_GE(json["rows"].back()["right"], json["rows"].front()["right"]);
-  EXPECT_TRUE(json["rest"].contains("changes"));
+  EXPECT_GE(json["rest"]["changes"], json["rows"].back()["changes"]) << "those before count, too";
   EXPECT_THAT(bytesOf(file("answered.mtg")), HasSubstr("CODE"));
+}
+
+TEST_F(Answer, AsksAboutThePointsThatThePlantIsOf) {
+  for (const test::Arguments& thin :
+       {test::Arguments{}, {"--set", "thin.method=random", "--set", "thin.share=0.05"}}) {
+    test::Arguments reconstruct = {"reconstruct", scan_,    "-o",
+                                   file("a.mtg"), "--json", file("plant.json")};
+    test::Arguments answer = {"answer",    scan_, "--oracle", truth_,
+                              "--answers", "0",   "--json",   file("answers.json")};
+    reconstruct.insert(reconstruct.end(), thin.begin(), thin.end());
+    answer.insert(answer.end(), thin.begin(), thin.end());
+    run(reconstruct);
+    run(answer);
+    const auto inDoubt = nlohmann::json::parse(bytesOf(file("plant.json")))["in_doubt"];
+    const auto row = nlohmann::json::parse(bytesOf(file("answers.json")))["rows"].front();
+    EXPECT_EQ(row["doubts_left"], inDoubt["count"]);
+    EXPECT_EQ(row["expected_right"], inDoubt["expected_right"]);
+  }
+}
+
+TEST_F(Answer, NeverReplacesWhatItReads) {
+  const std::string preset = file("preset.json");
+  test::writeBytes(preset, R"({"prune": {"length": 0.1}})");
+  const std::string before = bytesOf(preset);
+  expectRefusal(runProgram({"answer", scan_, "--oracle", truth_, "--answers", "0", "--preset",
+                            preset, "--json", preset}),
+                1, {"preset.json: is what is read, and would be replaced"});
+  EXPECT_EQ(bytesOf(preset), before);
+  std::filesystem::create_symlink(preset, file("link.mtg"));
+  expectRefusal(runProgram({"answer", scan_, "--oracle", truth_, "--answers", "0", "--preset",
+                            preset, "-o", file("link.mtg")}),
+                1, {"link.mtg: is what is read, and would be replaced"});
+  EXPECT_EQ(bytesOf(preset), before);
 }
 
 TEST_F(Answer, WouldBeAskedForByTheNumbersOfAReconstruction) {
@@ -46,6 +81,11 @@ TEST_F(Answer, RefusesWhatItCannotDo) {
                 {"--order", "gain"});
   expectRefusal(runProgram({"answer", scan_, "--oracle", truth_, "--answers", "-1"}), 2,
                 {"--answers"});
+  for (const char* distance : {"nan", "inf", "0", "-1"})
+    expectRefusal(runProgram({"answer", scan_, "--oracle", truth_, "--distance", distance}), 2,
+                  {"--distance"});
+  for (const char* seed : {"-1", "0.5"})
+    expectRefusal(runProgram({"answer", scan_, "--oracle", truth_, "--seed", seed}), 2, {"--seed"});
   expectRefusal(runProgram({"answer", scan_, "--oracle", file("none.mtg")}), 1, {"none.mtg"});
 }
 

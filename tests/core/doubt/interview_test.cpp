@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
@@ -127,7 +128,6 @@ TEST(FindDoubts, AsksWhatABranchGrowsFromThatIsAttachedToWoodBesideIt) {
   EXPECT_GE(first, asked * 2 / 3) << "where it was is the most probable";
 }
 
-TEST(FindDoubts, StopsWhenAsked) {
 // Two equal branches without wood leave one long edge of the stem: the evidence of each is that of
 // a branch which begins where it was found to.
 TEST(MissingBranches, BeginWhereTheyWereFoundThoughTheyLeaveOneEdge) {
@@ -161,6 +161,7 @@ TEST(MissingBranches, BeginWhereTheyWereFoundThoughTheyLeaveOneEdge) {
   }
 }
 
+TEST(FindDoubts, StopsWhenAsked) {
   EXPECT_TRUE(test::stopsWhenAsked([](const Progress& progress) { (void)doubtsOfTree(progress); }));
 }
 
@@ -210,6 +211,34 @@ TEST(Interview, DecidesTheRestByWhatItLearned) {
   interview.decideRest();
   EXPECT_GE(agreementWith(interview.reference(), interview.plant(), toleranceOfTree()).share(),
             before - 0.005);
+}
+
+// Some branches that the scan has are taken away: that they are missing is surer than that not.
+TEST(Interview, CountsWhatItDecidesAmongTheChanges) {
+  Skeleton plant = tree().plant;
+  SkeletonEditor editor(plant);
+  int removed = 0;
+  for (const NodeId id : tree().plant.ids()) {
+    if (!plant.contains(id) || plant[id].edge != EdgeType::branching) continue;
+    const std::size_t nodes = downstream(plant, {id}).size();
+    if (nodes < 5 || nodes > 20) continue;
+    removeSubtree(editor, id);
+    if (++removed == 5) break;
+  }
+  (void)editor.commit();
+  ASSERT_EQ(removed, 5);
+  Interview interview(tree().cloud, plant, test::simulatedTree().truth, tree().scale,
+                      Eigen::Vector3d::UnitZ(), {.tolerance = toleranceOfTree()});
+  const auto surely =
+      static_cast<std::size_t>(std::ranges::count_if(interview.doubts(), [](const Doubt& doubt) {
+        return doubt.present != 0 && doubt.alternatives.front().probability >= surelyOtherwise;
+      }));
+  ASSERT_GT(surely, 0U);
+  interview.decideRest();
+  EXPECT_GT(interview.plant().size(), plant.size());
+  EXPECT_GT(interview.changes(), 0U);
+  EXPECT_LE(interview.changes(), surely);
+  EXPECT_EQ(interview.answers(), 0U);
 }
 
 TEST(ExpectedAgreement, IsNearTheRealOneAndOfWhatIsReviewedFull) {

@@ -83,7 +83,8 @@ bool isDoneAlready(const Batch& batch, const BatchPlant& plant, const BatchSumma
   const BatchResult* before = summary.find(plant.name);
   std::error_code isMissing;
   return before != nullptr && before->isDone && before->inputs == inputs &&
-         fs::is_regular_file(batch.output(plant), isMissing);
+         fs::is_regular_file(batch.output(plant), isMissing) &&
+         fs::is_regular_file(batch.doubts(plant), isMissing);
 }
 
 void describe(const PointCloud& cloud, const Reconstruction& result, BatchResult& row) {
@@ -161,7 +162,7 @@ void reconstruct(const Batch& batch, const BatchPlant& plant, const Progress& pr
   progress.check();
   requireOutput(batch.output(plant).string(), {plant.scan.string()});
   requireOutput(batch.doubts(plant).string(), {plant.scan.string()});
-  writeAtomically(batch.doubts(plant), [&](std::ostream& out) { out << textOf(inDoubt) << '\n'; });
+  writeAtomically(batch.doubts(plant), [&](std::ostream& out) { out << textOf(inDoubt); });
   writeStructure(batch.output(plant), {.skeleton = *result.skeleton}, batch.mtgStyle);
 }
 
@@ -315,7 +316,8 @@ void addBatch(CLI::App& app) {
                    "CSV table of the plants: a column scan, and name, reference and root if needed")
       ->required();
   addOutput(*command, flags->folder,
-            "Folder of the results: NAME.mtg of each plant, and summary.csv, a line per plant")
+            "Folder of the results: NAME.mtg and NAME.doubts.json, what is in doubt, of each "
+            "plant, and summary.csv, a line per plant")
       ->type_name("FOLDER");
   flags->pipeline.addOptionsTo(*command);
   addMtgStyle(*command, flags->pipeline.mtgStyle);

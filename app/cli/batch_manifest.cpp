@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 
 namespace espalier {
 namespace {
@@ -23,7 +24,7 @@ void requireName(const std::string& name) {
       name, [](char c) { return c == '/' || c == '\\' || static_cast<unsigned char>(c) < ' '; });
   if (!isPlain || name == "." || name == "..")
     throw Error("the name " + inQuotes(name) + " is none for a file: leave out slashes");
-  constexpr std::size_t longest = NAME_MAX - 4; // with .mtg behind it
+  constexpr std::size_t longest = NAME_MAX - std::string_view(".doubts.json").size();
   if (name.size() > longest)
     throw Error("the name " + inQuotes(name) + " has " + std::to_string(name.size()) +
                 " bytes, too many for a file: leave it at " + std::to_string(longest) +

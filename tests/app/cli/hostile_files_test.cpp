@@ -109,6 +109,19 @@ TEST_F(HostileFiles, ANameThatIsTooLongFailsAloneInEachRun) {
   EXPECT_TRUE(fs::exists(file("results/tree.mtg")));
 }
 
+TEST_F(HostileFiles, ANameOfAPlantLeavesRoomForAllItsFiles) {
+  const std::string longest(243, 'n');
+  test::writeBytes(file("stick.xyz"), "0 0 0\n0 0 1\n0 0 2\n0 0 3\n0 0 4\n");
+  test::writeBytes(file("plants.csv"),
+                   "scan,name\nstick.xyz," + longest + "n\n" + sampleScan + "," + longest + "\n");
+  const auto outcome = runProgram({"batch", file("plants.csv"), "-o", file("results")});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("has 244 bytes, too many for a file: leave it at 243"));
+  EXPECT_THAT(outcome.err, HasSubstr("1 of 2 plants failed"));
+  EXPECT_THAT(namesIn(file("results")),
+              ElementsAre(longest + ".doubts.json", longest + ".mtg", "summary.csv"));
+}
+
 TEST_F(HostileFiles, ANameAsLongAsAFileMayHaveIsWritten) {
   const std::string name = std::string(251, 'n') + ".mtg";
   EXPECT_EQ(runProgram({"convert", sampleStructure, file(name)}).status, 0);

@@ -16,12 +16,11 @@ def test_decisions_are_those_of_the_program(plant, found, tmp_path):
     assert sum(not end.stays for end in decisions.ends) == known["ends"]["removed"]
     assert len(decisions.gaps) == known["gaps"]["asked"]
     assert decisions.expected_right == known["in_doubt"]["expected_right"]
-    ids = found.skeleton.ids
     doubts = known["in_doubt"]["doubts"]
     assert len(decisions.doubts) == len(doubts) > 0
     for doubt, expected in zip(decisions.doubts, doubts):
         assert doubt.kind == expected["kind"]
-        assert ids[doubt.node] == expected["node"]
+        assert (doubt.node, doubt.nodes) == (expected["node"], expected["nodes"])
         assert found.skeleton.positions[doubt.node].tolist() == expected["place"]
         assert (doubt.length, doubt.gain, doubt.present) == (
             expected["length"], expected["gain"], expected["present"])
@@ -29,8 +28,13 @@ def test_decisions_are_those_of_the_program(plant, found, tmp_path):
             one["probability"] for one in expected["alternatives"]]
         for one, other in zip(doubt.alternatives, expected["alternatives"]):
             assert one.kind == other["kind"]
-            assert (None if one.onto is None else ids[one.onto]) == other.get("onto")
+            assert one.onto == other.get("onto")
+            if one.onto is not None:
+                assert found.skeleton.positions[one.onto].tolist() == other["onto_place"]
             assert (one.branch is not None) == (one.kind == "add")
+            assert (None if one.branch is None else one.branch.tolist()) == other.get("branch")
+    read = espalier.Skeleton.read(tmp_path / "a.mtg")
+    assert read.positions.tolist() == found.skeleton.positions.tolist(), "rows are those of the file"
 
 
 def test_ends_and_gaps_have_places(found):

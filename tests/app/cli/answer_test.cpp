@@ -1,4 +1,6 @@
 // A reference answers what the program asks.
+#include "core/io/formats.h"
+#include "core/skeleton/length_along.h"
 #include "tests/app/cli/subcommands.h"
 
 #include <nlohmann/json.hpp>
@@ -46,6 +48,52 @@ TEST_F(Answer, AsksAboutThePointsThatThePlantIsOf) {
     EXPECT_EQ(row["doubts_left"], inDoubt["count"]);
     EXPECT_EQ(row["expected_right"], inDoubt["expected_right"]);
   }
+}
+
+// Nodes are rows, as of the file that is written, and what has no node yet has its places.
+TEST_F(Answer, NamesTheNodesOfTheWrittenFileInDoubts) {
+  run({"reconstruct", scan_, "-o", file("tree.mtg"), "--json", file("tree.json")});
+  const auto inDoubt = nlohmann::json::parse(bytesOf(file("tree.json")))["in_doubt"];
+  const Skeleton plant = readStructure(file("tree.mtg")).value.skeleton;
+  const std::vector<NodeId> rows = plant.ids();
+  const auto isAt = [&](const nlohmann::json& row, const nlohmann::json& place) {
+    const Eigen::Vector3d& position = plant[rows.at(row.get<std::size_t>())].position;
+    return position == Eigen::Vector3d(place.at(0), place.at(1), place.at(2));
+  };
+  std::size_t attached = 0;
+  std::size_t added = 0;
+  for (const auto& doubt : inDoubt["doubts"]) {
+    EXPECT_TRUE(isAt(doubt["node"], doubt["place"]));
+    if (doubt["kind"] != "missing") {
+      EXPECT_EQ(doubt["nodes"].front(), doubt["node"]);
+    }
+    double length = 0;
+    for (std::size_t i = 0; i < doubt["nodes"].size(); ++i) {
+      const NodeId id = rows.at(doubt["nodes"][i].get<std::size_t>());
+      if (i > 0) {
+        EXPECT_EQ(plant[id].parent, rows.at(doubt["nodes"][i - 1].get<std::size_t>()));
+      }
+      length += edgeLength(plant, id);
+    }
+    if (doubt["kind"] != "missing") {
+      EXPECT_NEAR(doubt["length"].get<double>(), length, 1e-6 * length);
+    }
+    for (const auto& one : doubt["alternatives"]) {
+      EXPECT_EQ(one.contains("onto"), one["kind"] == "attach");
+      EXPECT_EQ(one.contains("branch"), one["kind"] == "add");
+      if (one["kind"] == "attach") {
+        ++attached;
+        EXPECT_TRUE(isAt(one["onto"], one["onto_place"]));
+      }
+      if (one["kind"] == "add") {
+        ++added;
+        EXPECT_GE(one["branch"].size(), 2U);
+        EXPECT_EQ(one["branch"].back().size(), 3U);
+      }
+    }
+  }
+  EXPECT_GT(attached, 0U);
+  EXPECT_GT(added, 0U);
 }
 
 TEST_F(Answer, NeverReplacesWhatItReads) {

@@ -2,7 +2,9 @@
 
 #include "core/base/error.h"
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace espalier::python {
@@ -39,8 +41,12 @@ void requireShape(const py::array& array, const char* name, py::ssize_t rows, py
 }
 
 template <class T> py::array_t<T> numbersIn(const py::object& object, const char* name) {
-  py::array_t<T> array = py::array_t<T, py::array::forcecast>::ensure(object);
-  if (!array) {
+  const py::array given = py::array::ensure(object);
+  if (given && given.dtype().kind() == 'c')
+    throw Error(std::string(name) + " are complex numbers: give real ones");
+  py::array_t<T> array;
+  if (given) array = py::array_t<T, py::array::forcecast>::ensure(given);
+  if (!given || !array) {
     PyErr_Clear();
     throw Error(std::string(name) + " are no numbers: give an array of them");
   }
@@ -49,7 +55,31 @@ template <class T> py::array_t<T> numbersIn(const py::object& object, const char
 
 template py::array_t<double> numbersIn(const py::object&, const char*);
 template py::array_t<float> numbersIn(const py::object&, const char*);
-template py::array_t<std::int64_t> numbersIn(const py::object&, const char*);
-template py::array_t<std::uint8_t> numbersIn(const py::object&, const char*);
+
+template <class T>
+py::array_t<T> wholeNumbersIn(const py::object& object, const char* name, T least, T most) {
+  using Limits = std::numeric_limits<T>;
+  const bool allFit = least == Limits::min() && most == Limits::max();
+  if (allFit && py::isinstance<py::array_t<T>>(object))
+    return py::reinterpret_borrow<py::array_t<T>>(object);
+  const py::array_t<double> given = numbersIn<double>(object, name);
+  const py::array_t<double> flat = py::array(given).reshape({py::ssize_t{-1}});
+  const auto values = flat.unchecked<1>();
+  for (py::ssize_t i = 0; i < values.size(); ++i) {
+    const double value = values(i);
+    const bool isInside = value >= static_cast<double>(least) && value <= static_cast<double>(most);
+    if (isInside && value == std::floor(value)) continue;
+    const py::ssize_t columns = given.ndim() > 1 ? given.size() / given.shape(0) : 1;
+    throw Error(std::string(name) + ", row " + std::to_string(i / columns) +
+                ": write a whole number from " + std::to_string(least) + " to " +
+                std::to_string(most) + ", not " + std::string(py::str("{:.15g}").format(value)));
+  }
+  return py::array_t<T, py::array::forcecast>::ensure(given);
+}
+
+template py::array_t<std::int64_t> wholeNumbersIn(const py::object&, const char*, std::int64_t,
+                                                  std::int64_t);
+template py::array_t<std::uint8_t> wholeNumbersIn(const py::object&, const char*, std::uint8_t,
+                                                  std::uint8_t);
 
 } // namespace espalier::python

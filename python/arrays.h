@@ -33,9 +33,16 @@ template <class T>
 /// @throws Error that names the shape to give
 void requireShape(const py::array& array, const char* name, py::ssize_t rows, py::ssize_t columns);
 
-/// `object` as an array of these values, which is itself if it is one.
-/// @throws Error if it holds others
+/// `object` as an array of float or double, which is itself if it is one.
+/// @throws Error if it holds what are no real numbers
 template <class T>
 [[nodiscard]] py::array_t<T> numbersIn(const py::object& object, const char* name);
+
+/// `object` as an array of whole numbers, which may be given as doubles, as numpy.loadtxt() reads
+/// them. It is itself if it is one, and no number of this type is out of bounds.
+/// @throws Error naming the row of what is no whole number from `least` to `most`
+template <class T>
+[[nodiscard]] py::array_t<T> wholeNumbersIn(const py::object& object, const char* name, T least,
+                                            T most);
 
 } // namespace espalier::python

@@ -42,7 +42,7 @@ RawPoints rawPoints(const py::object& points, const py::object& colors,
   RawPoints raw{.positions = positionsIn(points), .colors = {}, .intensities = {}};
   const auto count = static_cast<py::ssize_t>(raw.positions.size());
   if (!colors.is_none()) {
-    const auto array = numbersIn<std::uint8_t>(colors, "colors");
+    const auto array = wholeNumbersIn<std::uint8_t>(colors, "colors", 0, 255);
     requireShape(array, "colors", count, 3);
     const auto values = array.unchecked<2>();
     for (py::ssize_t i = 0; i < count; ++i)

@@ -67,7 +67,8 @@ HeldSkeleton skeletonOf(const py::object& positionsGiven, const py::object& pare
   const auto positions = numbersIn<double>(positionsGiven, "positions");
   requireShape(positions, "positions", -1, 3);
   const py::ssize_t count = positions.shape(0);
-  const auto parents = numbersIn<std::int64_t>(parentsGiven, "parents");
+  const std::int64_t lastRow = count - 1;
+  const auto parents = wholeNumbersIn<std::int64_t>(parentsGiven, "parents", -1, lastRow);
   requireShape(parents, "parents", count, 1);
   py::array_t<double> radii;
   if (!radiiGiven.is_none()) {

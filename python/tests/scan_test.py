@@ -84,6 +84,8 @@ def test_points_that_are_not_finite_are_left_out(plant):
         (np.zeros((5, 2)), "points have the shape (5, 2): give an array of shape (n, 3)"),
         (np.zeros(6), "points have the shape (6,): give an array of shape (n, 3)"),
         ([["a", "b", "c"]], "points are no numbers: give an array of them"),
+        ([[1j, 0, 0]], "points are complex numbers: give real ones"),
+        (np.zeros((4, 3), np.complex64), "points are complex numbers: give real ones"),
         (np.zeros((0, 3)), "points hold 0 rows, none of them finite: give the points of a scan"),
         (np.full((2, 3), np.nan), "points hold 2 rows, none of them finite: give the points of a scan"),
     ],
@@ -97,6 +99,22 @@ def test_what_is_no_scan_is_refused(points, line):
 def test_colors_of_other_length_are_refused(plant):
     with pytest.raises(espalier.Error, match=r"colors have the shape \(1, 3\)"):
         espalier.Scan(plant.points, colors=np.zeros((1, 3)))
+
+
+@pytest.mark.parametrize("wrong", [0.7, 300, -1, 255.5, np.nan])
+def test_colors_that_are_no_bytes_are_refused(plant, wrong):
+    colors = np.zeros(plant.points.shape)
+    colors[7, 1] = wrong
+    with pytest.raises(espalier.Error) as refusal:
+        espalier.Scan(plant.points, colors=colors)
+    assert str(refusal.value) == f"colors, row 7: write a whole number from 0 to 255, not {wrong}"
+
+
+@pytest.mark.parametrize("kind", [np.uint8, np.int64, np.float64])
+def test_colors_are_whole_numbers_of_any_type(plant, kind):
+    colors = np.arange(plant.points.size).reshape(plant.points.shape) % 256
+    scan = espalier.Scan(plant.points, colors=np.asfortranarray(colors.astype(kind)))
+    assert np.array_equal(scan.colors, colors[scan.order])
 
 
 def test_files_give_the_points_that_were_written(plant, tmp_path):

@@ -43,6 +43,10 @@ def test_without_edges_the_first_child_goes_on():
     assert plant.edges.tolist() == ["<", "<", "+", "<"]
 
 
+def test_parents_may_be_doubles_of_a_table():
+    assert espalier.Skeleton(np.eye(4, 3), np.array([-1.0, 0, 0, 1])).parents.tolist() == [-1, 0, 0, 1]
+
+
 def test_mtg_goes_in_and_out_unchanged():
     text = fork().mtg()
     assert "/P1/N1\t" in text or "/P1\t" in text
@@ -97,6 +101,14 @@ def test_openalea_reads_the_text(tmp_path):
     [
         ({"parents": [-1, 0, 3, 1]}, "row 2: its parent, row 3, is no row before it: list parents "
          "before their children, and -1 for roots"),
+        ({"parents": [-1, 0, 0.9, 1]}, "parents, row 2: write a whole number from -1 to 3, not 0.9"),
+        ({"parents": [-7, 0, 1, 1]}, "parents, row 0: write a whole number from -1 to 3, not -7"),
+        ({"parents": np.array([-1, 0, -2**40, 1])}, "parents, row 2: write a whole number from -1 "
+         "to 3, not -1099511627776"),
+        ({"parents": [-1, 0, 2**80, 1]}, "parents, row 2: write a whole number from -1 to 3, not "
+         "1.20892581961463e+24"),
+        ({"radii": [0, 0, 0, 1j]}, "radii are complex numbers: give real ones"),
+        ({"positions": np.full((4, 3), 1j)}, "positions are complex numbers: give real ones"),
         ({"parents": [-1, 0]}, "parents have the shape (2,): give an array of shape (4,)"),
         ({"radii": [0, 0, 0, -1]}, "row 3: its radius is below 0: correct it"),
         ({"edges": ["<", "<", "<", "/"]}, "edges, row 3: write '<' for a successor or '+' for a "

@@ -122,6 +122,7 @@ void PipelinePanel::setOptions(const PipelineOptions& options) {
     step->choose(options);
   showOptional();
   markStale(steps_.front());
+  emit replaced();
 }
 
 void PipelinePanel::showRunning(const QString& stage) {

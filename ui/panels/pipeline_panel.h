@@ -63,6 +63,7 @@ public:
 
 signals:
   void changed(const espalier::Step& step); // an option of it, by hand
+  void replaced();                          // all choices, by setOptions()
   void reconstructRequested();
   void rootAsked();                              // it is to be picked in the view
   void runRequested(const espalier::Step& last); // up to this one

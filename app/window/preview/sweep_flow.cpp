@@ -75,6 +75,7 @@ SweepFlow::SweepFlow(const Parts& parts) : parts_(parts) {
     proposeRange();
   });
   connect(&parts_.pipeline, &PipelinePanel::changed, this, &SweepFlow::listOptions);
+  connect(&parts_.pipeline, &PipelinePanel::replaced, this, &SweepFlow::listOptions);
   connect(&parts_.document, &PlantDocument::unitChanged, this, &SweepFlow::proposeRange);
   seen_.setSingleShot(true);
   connect(&seen_, &QTimer::timeout, this, &SweepFlow::pictureNext);

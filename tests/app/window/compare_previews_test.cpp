@@ -155,6 +155,19 @@ TEST_F(PreviewTest, SweepsAnOptionAndTakesAValue) {
   EXPECT_TRUE(strip.cards()[2]->item().isCurrent);
 }
 
+TEST_F(PreviewTest, SweepsOptionsOfTheMethodsThatAreShown) {
+  key(Qt::Key_F7, Qt::ShiftModifier);
+  auto& option = find<QComboBox>("sweep_option");
+  option.setCurrentIndex(option.findData("contract.radius"));
+  ASSERT_EQ(option.currentData(), "contract.radius");
+  PipelineOptions other = panel().options();
+  other.methods["contract"] = "none";
+  panel().setOptions(other); // as a preset or a project does
+  EXPECT_EQ(option.findData("contract.radius"), -1);
+  clickButton("sweep_run");
+  EXPECT_FALSE(find<SweepStrip>("sweep_strip").cards().empty());
+}
+
 TEST_F(PreviewTest, SweepsWithTheDefaultInTheMiddle) {
   key(Qt::Key_F7, Qt::ShiftModifier);
   find<QSpinBox>("sweep_count").setValue(3);

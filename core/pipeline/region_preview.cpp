@@ -89,7 +89,7 @@ struct RegionPreviewer::Whole {
                          state.extent.scale});
   }
 
-  /// None for methods that do not follow densities.
+  /// None for methods that do not follow densities, or where no points are left.
   std::optional<DensityLevels> densityLevels(const Smoothing& smoothing, const Cleaned& left,
                                              const ChosenMethod& contraction,
                                              const Progress& progress) {
@@ -103,8 +103,9 @@ struct RegionPreviewer::Whole {
     state.made = StepResult::cleaned;
     runSteps(stepsBetween(StepResult::cleaned, StepResult::smoothed, smoothing, left.scale), state,
              progress.part(0, 0.5));
-    return levels.keep(
-        key, levelsOf(countedDensities(state, *used, progress.part(0.5, 1)), used->measure));
+    const std::vector<float> densities = countedDensities(state, *used, progress.part(0.5, 1));
+    if (densities.empty()) return std::nullopt;
+    return levels.keep(key, levelsOf(densities, used->measure));
   }
 
   /// Along links between the points that were not set aside, over the shortest of the gaps.

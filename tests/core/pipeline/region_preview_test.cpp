@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/presets.h"
 #include "core/pipeline/region_preview.h"
 #include "tests/support/cloud_of.h"
 #include "tests/support/clouds.h"
@@ -157,6 +158,14 @@ TEST_F(RegionPreviews, MayBeOfAPlaceWithoutPoints) {
   EXPECT_TRUE(part.points.empty());
   EXPECT_EQ(part.contracted.cols(), 0);
   EXPECT_TRUE(part.skeleton.isEmpty());
+}
+
+TEST_F(RegionPreviews, AreEmptyWhereAllPointsAreSetAside) {
+  const PlantScale scale = whole().scale;
+  options = presetNamed("thesis")->options; // which follows densities, of which there are none
+  options.leftOut = PointSet::firstOf(cloud->size());
+  RegionPreviewer previewer(cloud, options.leftOut, scale, options.up, options.root);
+  EXPECT_TRUE(previewer.contracted(ball, options).points.empty());
 }
 
 TEST_F(RegionPreviews, LeavePointsWhereTheyAreThatCleaningLeavesOut) {

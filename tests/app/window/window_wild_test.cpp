@@ -162,7 +162,7 @@ void WildEventsTest::trigger() {
 }
 
 void WildEventsTest::openFile() {
-  const auto names = std::to_array<QString>({"scan.ply", "fork.mtg", "cut.mtg", "none.las"});
+  const auto names = std::to_array<QString>({"scan.xyz", "fork.mtg", "cut.mtg", "none.las"});
   const QString& name = anyOf(names);
   note("open " + name);
   window().open({path(name)});
@@ -239,13 +239,13 @@ void WildEventsTest::act() {
 }
 
 TEST_F(WildEventsTest, NeverEndTheWindowNorBreakItsHistory) {
-  writeScan("scan.ply");
+  writeScan("scan.xyz");
   writeFork("fork.mtg");
   QFile cut(path("cut.mtg"));
   ASSERT_TRUE(cut.open(QIODevice::WriteOnly));
   cut.write("CODE:\tFORM-A\nCLASSES:\nSYMBOL\tSCALE\n");
   cut.close();
-  open({path("scan.ply"), path("fork.mtg")});
+  open({path("scan.xyz"), path("fork.mtg")});
   const int events = number("ESPALIER_EVENTS", 400);
   for (int i = 0; i < events; ++i) {
     act();

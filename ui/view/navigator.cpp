@@ -79,6 +79,11 @@ void Navigator::zoom(double factor, const Eigen::Vector3d& anchor) {
   camera_.zoom(before / after, anchor);
 }
 
+void Navigator::pinch(double factor) {
+  zoom(factor, anchor_);
+  emit moved();
+}
+
 void Navigator::wheel(double steps, const Eigen::Vector3d& anchor) {
   flight_.stop();
   zoom(std::exp(zoomPerStep * steps), anchor);

@@ -35,6 +35,7 @@ public:
   void begin(Gesture gesture, const QPointF& at, const Eigen::Vector3d& anchor);
   void drag(const QPointF& to); // pre: a gesture is on
   void end() { gesture_ = Gesture::none; }
+  void pinch(double factor);                               // > 1 comes nearer; pre: a gesture is on
   void wheel(double steps, const Eigen::Vector3d& anchor); // positive comes nearer
 
 signals:

@@ -77,6 +77,7 @@ PlantView::PlantView(const PlantView& first, QWidget* parent)
 PlantView::PlantView(std::shared_ptr<Shared> shared, QWidget* parent)
     : QWidget(parent), parts_(std::make_unique<Parts>(*this, std::move(shared))) {
   setMouseTracking(true);
+  setAttribute(Qt::WA_AcceptTouchEvents);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Plant in 3D"));
   setMinimumSize(160, 120);
@@ -328,7 +329,15 @@ bool PlantView::event(QEvent* event) {
     event->accept();
     return true;
   }
-  return QWidget::event(event);
+  switch (event->type()) {
+  case QEvent::TouchBegin:
+  case QEvent::TouchUpdate:
+  case QEvent::TouchEnd:
+  case QEvent::TouchCancel:
+    return parts_->takeTouch(*static_cast<QTouchEvent*>(event));
+  default: // of a pen, too, of which Qt makes a mouse
+    return QWidget::event(event);
+  }
 }
 
 void PlantView::resizeEvent(QResizeEvent* /*event*/) {

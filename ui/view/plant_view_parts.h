@@ -11,6 +11,7 @@
 #include "ui/view/plant_view.h"
 #include "ui/view/pointer_input.h"
 #include "ui/view/scene.h"
+#include "ui/view/touch_input.h"
 #include "ui/view/view_surface.h"
 
 #include <QTimer>
@@ -99,6 +100,9 @@ struct PlantView::Parts {
   // plant_view_envelope.cpp
   void hoverEnvelope(std::optional<std::size_t> handle);
   void giveBackEnvelope(); // what is dragged goes back to where it was
+  // plant_view_touch.cpp
+  bool takeTouch(QTouchEvent& event);
+  void click(const TouchInput::Tap& tap);
   /// How long drawing may take, but for so many points at least.
   struct Pace {
     double frame; // [ms]
@@ -145,6 +149,7 @@ struct PlantView::Parts {
   Scene& scene; // of `shared`
   Navigator navigator;
   PointerInput pointer;
+  TouchInput touch{navigator, pointer};
   Overlay overlay;
   ClipHandles clipHandles;
   EnvelopeHandles envelopeHandles;

@@ -277,10 +277,13 @@ std::optional<Eigen::Vector3d> PointerInput::doubleClick(const QMouseEvent& even
   return placeOf(under, scene_.skeleton);
 }
 
-void PointerInput::wheel(const QWheelEvent& event) {
-  const QPointF position = event.position();
+Eigen::Vector3d PointerInput::zoomAnchor(const QPointF& position) {
   navigator_.setExtent(extentOf(scene_));
-  navigator_.wheel(event.angleDelta().y() / 120.0, zoomAnchor(position, pick(position)));
+  return zoomAnchor(position, pick(position));
+}
+
+void PointerInput::wheel(const QWheelEvent& event) {
+  navigator_.wheel(event.angleDelta().y() / 120.0, zoomAnchor(event.position()));
 }
 
 void PointerInput::leave() {

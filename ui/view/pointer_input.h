@@ -42,6 +42,8 @@ public:
 
   [[nodiscard]] ScreenMap screen() const;
   [[nodiscard]] Pick pick(const QPointF& position) const;
+  /// What a zoom of the camera there keeps in place; the camera learns how far it may go.
+  [[nodiscard]] Eigen::Vector3d zoomAnchor(const QPointF& position);
 
 private:
   struct Pointer {

@@ -64,21 +64,24 @@ public:
                   "libgl1-mesa-dri and libegl1");
   }
   ~Context() {
-    if (context_ == EGL_NO_CONTEXT) return;
+    if (context_ == EGL_NO_CONTEXT || isLost_) return; // it went with its display
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display_, context_); // the display is shared: others may draw on it
   }
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
 
-  void makeCurrent() {
+  /// Returns whether it is: none that was lost, as by a driver that was reset, ever is again.
+  bool makeCurrent() {
+    if (isLost_) return false;
     if (qtContext_) {
-      qtContext_->makeCurrent(&qtSurface_);
-      return;
+      isLost_ = !qtContext_->makeCurrent(&qtSurface_);
+      return !isLost_;
     }
     // Qt's context may be GLX, and of GLX and EGL only one can be current.
     if (QOpenGLContext* other = QOpenGLContext::currentContext()) other->doneCurrent();
-    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
+    isLost_ = eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE;
+    return !isLost_;
   }
   /// Leaves none current: Qt does not know of ours, and would think its own still is.
   void doneCurrent() {
@@ -88,31 +91,44 @@ public:
       eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   }
   [[nodiscard]] bool isCurrent() const {
+    if (isLost_) return false;
     return qtContext_ ? QOpenGLContext::currentContext() == qtContext_.get()
                       : eglGetCurrentContext() == context_;
   }
 
-  /// That of the other renderers, if there are any.
+  /// That of the other renderers, if there are any and it was not lost.
   static std::shared_ptr<Context> shared() {
     static std::weak_ptr<Context> living;
     std::shared_ptr<Context> context = living.lock();
-    if (!context) living = context = std::make_shared<Context>();
+    const bool isUsable = context && context->makeCurrent();
+    if (isUsable)
+      context->doneCurrent();
+    else
+      living = context = std::make_shared<Context>();
     return context;
   }
 
 private:
   EGLDisplay display_;
   EGLContext context_;
+  bool isLost_ = false;
   std::unique_ptr<QOpenGLContext> qtContext_;
   QOffscreenSurface qtSurface_;
 };
 
 OffscreenRenderer::OffscreenRenderer(Scene& scene, std::shared_ptr<SceneBuffers> buffers)
-    : context_(Context::shared()),
-      renderer_(std::make_unique<PlantRenderer>(
-          scene, std::move(buffers),
-          PlantRenderer::Context{[this] { context_->makeCurrent(); },
-                                 [this] { return context_->isCurrent(); }})) {}
+    : scene_(scene), buffers_(std::move(buffers)) {
+  begin();
+}
+
+void OffscreenRenderer::begin() {
+  renderer_.reset(); // before its context
+  context_ = Context::shared();
+  renderer_ = std::make_unique<PlantRenderer>(
+      scene_, buffers_,
+      PlantRenderer::Context{[context = context_.get()] { context->makeCurrent(); },
+                             [context = context_.get()] { return context->isCurrent(); }});
+}
 
 OffscreenRenderer::~OffscreenRenderer() {
   renderer_.reset();
@@ -120,7 +136,10 @@ OffscreenRenderer::~OffscreenRenderer() {
 }
 
 PlantRenderer::Result OffscreenRenderer::draw(const PlantRenderer::Frame& frame) {
-  context_->makeCurrent();
+  if (!context_->makeCurrent()) {
+    begin();
+    context_->makeCurrent();
+  }
   return renderer_->draw(frame);
 }
 

@@ -7,7 +7,7 @@
 namespace espalier {
 
 /// Draws a scene where there is no window, and with EGL not even a display. All of them draw in one
-/// context, which lives as long as any.
+/// context, which lives as long as any. Where it is lost, they go on in another.
 class OffscreenRenderer {
 public:
   /// @param scene   must outlive the renderer
@@ -16,12 +16,16 @@ public:
   OffscreenRenderer(Scene& scene, std::shared_ptr<SceneBuffers> buffers);
   ~OffscreenRenderer();
 
-  PlantRenderer::Result draw(const PlantRenderer::Frame& frame); // as there
+  /// As there. @throws Error if there is no OpenGL any more
+  PlantRenderer::Result draw(const PlantRenderer::Frame& frame);
   [[nodiscard]] QImage image();
 
 private:
   class Context;
+  void begin();
 
+  Scene& scene_;
+  std::shared_ptr<SceneBuffers> buffers_;
   std::shared_ptr<Context> context_; // outlives what is drawn in it
   std::unique_ptr<PlantRenderer> renderer_;
 };

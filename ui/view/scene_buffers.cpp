@@ -217,10 +217,13 @@ std::size_t SceneBuffers::bytes() {
 }
 
 void SceneBuffers::leave(bool isCurrent) {
-  if (--users_ > 0) return;
-  for (GlBuffer* buffer : all())
-    if (isCurrent) buffer->release();
-  *this = {};
+  const int others = users_ - 1;
+  if (others == 0 || !isCurrent) {
+    for (GlBuffer* buffer : all())
+      if (isCurrent) buffer->release();
+    *this = {};
+  }
+  users_ = others;
 }
 
 } // namespace espalier

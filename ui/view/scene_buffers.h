@@ -50,8 +50,8 @@ public:
   [[nodiscard]] const GlBuffer& quads(std::size_t count);
   [[nodiscard]] std::size_t bytes(); // in all
 
-  /// Counts who draws from them. The last to leave frees them, if its context still is current;
-  /// what another draws later is uploaded anew.
+  /// Counts who draws from them. The last to leave frees them; and who leaves without its context,
+  /// in which they went. What another draws later is uploaded anew.
   void join() { ++users_; }
   void leave(bool isCurrent);
 

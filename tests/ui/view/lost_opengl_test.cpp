@@ -1,0 +1,60 @@
+// Where the context of OpenGL is lost, as by a driver that is reset, the plant comes back.
+#include "tests/support/cloud_of.h"
+#include "tests/support/clouds.h"
+#include "tests/support/plants.h"
+#include "tests/ui/view/pictures.h"
+#include "ui/view/plant_view.h"
+#include "ui/view/view_surface.h"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <QTest>
+#include <gtest/gtest.h>
+
+namespace espalier {
+namespace {
+
+/// All contexts of the display that stands for none go; returns whether there is such a display.
+bool loseContexts() {
+  const auto getDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
+      eglGetProcAddress("eglGetPlatformDisplayEXT"));
+  if (getDisplay == nullptr) return false;
+  EGLDisplay display = getDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+  return display != EGL_NO_DISPLAY && eglTerminate(display) == EGL_TRUE;
+}
+
+QImage drawn(PlantView& view) {
+  (void)view.grab(); // a frame
+  EXPECT_TRUE(QTest::qWaitFor([&] { return view.isStill(); }));
+  return view.grab().toImage();
+}
+
+TEST(LostOpenGl, ComesBackWithTheSamePicture) {
+  if (surfaceKind() != SurfaceKind::image) GTEST_SKIP() << "Qt owns the context";
+  QWidget window;
+  window.resize(640, 320);
+  PlantView first(&window);
+  PlantView second(first, &window); // which draws in the same context
+  first.setGeometry(0, 0, 320, 320);
+  second.setGeometry(320, 0, 320, 320);
+  first.setCloud(test::cloudOf(test::forkCloud(), Eigen::Vector3d::Zero()));
+  first.setSkeleton(test::fork(2));
+  first.frameAll();
+  second.frameAll();
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return first.isStill() && second.isStill(); }));
+  for (int i = 0; i < 2; ++i) {
+    const QImage before = drawn(first);
+    const QImage beside = drawn(second);
+    ASSERT_GT(test::countDifferences(before, beside.mirrored()), 100) << "there is a plant";
+    if (!loseContexts()) GTEST_SKIP() << "no EGL without a display";
+    EXPECT_EQ(drawn(first), before);
+    EXPECT_EQ(drawn(second), beside);
+    first.setSkeleton(test::fork(3 - i)); // goes on to show what changes
+    EXPECT_NE(drawn(first), before);
+  }
+}
+
+} // namespace
+} // namespace espalier

@@ -63,6 +63,7 @@ QStringList changesOfScan(const PipelineOptions& before, const PipelineOptions& 
 QString changeText(const PipelineOptions& before, const PipelineOptions& after,
                    const PlantScale& scale, const QString& unit) {
   QStringList steps = changesOfScan(before, after);
+  if (scale.spacing <= 0) return steps.join(QStringLiteral("; "));
   for (const Step& step : pipelineSteps())
     if (const QString change = changeOf(step, before, after, scale, unit); !change.isEmpty())
       steps.append(shownText(step.label) + QStringLiteral(": ") + change);

@@ -6,7 +6,8 @@
 
 namespace espalier {
 
-/// What was chosen otherwise, as people say it: "Contract: radius 12.5 mm". Empty: nothing.
+/// What was chosen otherwise, as people say it: "Contract: radius 12.5 mm". Empty: nothing. Where
+/// no scan is open, values of steps mean nothing, and none is named.
 /// @param unit of lengths; empty: not known
 [[nodiscard]] QString changeText(const PipelineOptions& before, const PipelineOptions& after,
                                  const PlantScale& scale, const QString& unit);

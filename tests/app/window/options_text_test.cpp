@@ -24,6 +24,11 @@ TEST(OptionsText, SaysOnlyWhatIsOtherwise) {
       << "back to the rule, 7.5 spacings";
 }
 
+TEST(OptionsText, NamesNoValuesWhereNoScanIsOpen) {
+  EXPECT_EQ(changeText({}, with({"contract.radius=12.5"}), {}, "mm"), "")
+      << "there, each value is out of range";
+}
+
 TEST(OptionsText, NamesTheMethodAndEachStep) {
   EXPECT_EQ(
       changeText({}, with({"contract.method=euclidean_ball", "contract.radius=8"}), scale, {}),

@@ -11,6 +11,8 @@
 #include "core/io/atomic_file.h"
 #include "core/project/point_bytes.h"
 #include "core/project/project.h"
+#include "ui/view/animated_png.h"
+#include "ui/view/turntable.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -35,6 +37,7 @@ struct PictureFlags {
   bool isDark = false;
   bool showRadii = false;
   bool isBare = false;
+  int turntable = 0; // seconds of a turn; 0: a picture that stays
   std::string unit;
 };
 
@@ -152,6 +155,32 @@ void drawPicture(const PictureFlags& flags) {
       std::to_string(flags.width) + " x " + std::to_string(flags.height) + " pixels");
 }
 
+void drawTurntable(const PictureFlags& flags) {
+  requirePng(flags.output);
+  requireOutput(flags.output, flags.files);
+  const Headless headless;
+  const TerminalProgress terminal;
+  const Scene scene = sceneOf(flags, terminal.progress().part(0, 0.1));
+  const TurntableOptions options{.size = QSize(flags.width, flags.height),
+                                 .seconds = flags.turntable};
+  Turntable turntable(
+      scene, cameraAround(scene, flags.view, static_cast<double>(flags.width) / flags.height),
+      {.unit = QString::fromStdString(flags.unit), .isBare = flags.isBare}, options);
+  const int count = options.frames();
+  const Progress progress = terminal.progress().part(0.1, 1, "Drawing");
+  writeAndReport(
+      flags.output,
+      [&](std::ostream& out) {
+        AnimatedPng movie(out, static_cast<std::uint32_t>(count), TurntableOptions::perSecond);
+        for (int i = 0; i < count; ++i) {
+          movie.add(turntable.frame(i));
+          progress.update(static_cast<double>(i + 1) / count);
+        }
+      },
+      std::to_string(count) + " pictures, " + std::to_string(flags.width) + " x " +
+          std::to_string(flags.height) + " pixels");
+}
+
 } // namespace
 
 void addPicture(CLI::App& app) {
@@ -191,8 +220,19 @@ void addPicture(CLI::App& app) {
   command->add_flag("--radii", flags->showRadii, "Draw the skeleton as thick as the plant");
   command->add_flag("--bare", flags->isBare,
                     "Without scale bar, axes and colors explained; the file may have any name");
+  command
+      ->add_option("--turntable", flags->turntable,
+                   "Writes a movie instead, an animated PNG: the plant turns once, in so many "
+                   "seconds, 2 to 60")
+      ->type_name("SECONDS")
+      ->check(wholeNumber(TurntableOptions::leastSeconds, TurntableOptions::mostSeconds));
   addUnit(*command, flags->unit, "Unit of lengths, for the scale bar");
-  command->callback([flags] { drawPicture(*flags); });
+  command->callback([flags] {
+    if (flags->turntable > 0)
+      drawTurntable(*flags);
+    else
+      drawPicture(*flags);
+  });
   command->footer("Example:\n"
                   "  espalier picture pine.las pine.mtg -o pine.png --view side");
 }

@@ -25,6 +25,7 @@
 #include "app/window/files/project_flow.h"
 #include "app/window/files/recent_files.h"
 #include "app/window/files/sample_flow.h"
+#include "app/window/files/turntable_flow.h"
 #include "app/window/frame/action_set.h"
 #include "app/window/frame/help_flow.h"
 #include "app/window/frame/language_flow.h"
@@ -209,6 +210,7 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
   parts_.make<PresetFlow>(PresetFlow::Parts{pipeline, *actions_, settings_, *this, document_});
   parts_.make<KindFlow>(KindFlow::Parts{document_, queue_, pipeline, *actions_});
   parts_.make<PictureFlow>(PictureFlow::Parts{document_, *view_, *actions_, *this});
+  parts_.make<TurntableFlow>(TurntableFlow::Parts{document_, *view_, jobs_, *actions_, *this});
   parts_.make<HullFlow>(HullFlow::Parts{document_, queue_, *view_, *actions_, editing, distances});
 }
 

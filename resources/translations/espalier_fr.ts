@@ -13629,6 +13629,61 @@ Chargez une référence pour voir comment les deux s’accordent.</translation>
     </message>
 </context>
 <context>
+    <name>espalier::TurntableFlow</name>
+    <message>
+        <source>Save Turntable…</source>
+        <translation>Enregistrer une rotation…</translation>
+    </message>
+    <message>
+        <source>Writes a movie of the plant, as the view shows it, turning once about its pivot</source>
+        <translation>Écrit un film de la plante, telle que la vue la montre, qui fait un tour autour de son pivot</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> pixels</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>One turn takes</source>
+        <translation>Durée d’un tour</translation>
+    </message>
+    <message>
+        <source>Choose File</source>
+        <translation>Choisir le fichier</translation>
+    </message>
+    <message>
+        <source>Save the turntable</source>
+        <translation>Enregistrer la rotation</translation>
+    </message>
+    <message>
+        <source>Animated PNG (*.png)</source>
+        <translation>PNG animé (*.png)</translation>
+    </message>
+    <message>
+        <source>%1: movies are written as animated PNG: choose a name that ends in .png</source>
+        <translation>%1 : les films sont écrits en PNG animé : choisissez un nom qui finit par .png</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Écriture de %1</translation>
+    </message>
+    <message>
+        <source>Wrote %1: %2 pictures, %3 MB</source>
+        <translation>%1 écrit : %2 images, %3 Mo</translation>
+    </message>
+</context>
+<context>
     <name>espalier::TwoViewsFlow</name>
     <message>
         <source>View</source>

@@ -6,8 +6,10 @@
 #include <EGL/eglext.h>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QPainter>
 
 #include <array>
+#include <limits>
 #include <utility>
 
 namespace espalier {
@@ -148,6 +150,20 @@ QImage OffscreenRenderer::image() {
   QImage image = renderer_->image();
   context_->doneCurrent();
   return image;
+}
+
+QImage OffscreenRenderer::picture(const Camera& camera, const Overlay& overlay, const QSize& size,
+                                  double pixelRatio) {
+  PlantRenderer::Frame frame{.camera = camera, .size = size, .pixelRatio = pixelRatio};
+  frame.points = std::numeric_limits<Eigen::Index>::max();
+  frame.divider = overlay.divider;
+  while (!draw(frame).complete) { // points, then their relief
+  }
+  QImage drawn = image();
+  QPainter painter(&drawn);
+  painter.scale(pixelRatio, pixelRatio);
+  overlay.paint(painter, scene_, camera, QSizeF(size) / pixelRatio);
+  return drawn;
 }
 
 } // namespace espalier

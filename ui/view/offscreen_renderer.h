@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/view/overlay.h"
 #include "ui/view/plant_renderer.h"
 
 #include <memory>
@@ -19,6 +20,9 @@ public:
   /// As there. @throws Error if there is no OpenGL any more
   PlantRenderer::Result draw(const PlantRenderer::Frame& frame);
   [[nodiscard]] QImage image();
+  /// All points, with the overlay; as espalier::picture().
+  [[nodiscard]] QImage picture(const Camera& camera, const Overlay& overlay, const QSize& size,
+                               double pixelRatio);
 
 private:
   class Context;

@@ -4,8 +4,6 @@
 
 #include <QBuffer>
 
-#include <limits>
-
 namespace espalier {
 
 QByteArray pngOf(const QImage& image) {
@@ -19,17 +17,7 @@ QByteArray pngOf(const QImage& image) {
 QImage picture(const Scene& scene, const Camera& camera, const Overlay& overlay, const QSize& size,
                double pixelRatio) {
   Scene copy = scene; // drawing takes from a scene what changed in it
-  OffscreenRenderer renderer(copy, makeSceneBuffers());
-  PlantRenderer::Frame frame{.camera = camera, .size = size, .pixelRatio = pixelRatio};
-  frame.points = std::numeric_limits<Eigen::Index>::max();
-  frame.divider = overlay.divider;
-  while (!renderer.draw(frame).complete) { // points, then their relief
-  }
-  QImage image = renderer.image();
-  QPainter painter(&image);
-  painter.scale(pixelRatio, pixelRatio);
-  overlay.paint(painter, scene, camera, QSizeF(size) / pixelRatio);
-  return image;
+  return OffscreenRenderer(copy, makeSceneBuffers()).picture(camera, overlay, size, pixelRatio);
 }
 
 Camera cameraOf(const Scene& scene, StandardView view, double aspect) {

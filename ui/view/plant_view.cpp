@@ -3,6 +3,7 @@
 #include "ui/view/area.h"
 #include "ui/view/picture.h"
 #include "ui/view/plant_view_parts.h"
+#include "ui/view/turntable.h"
 
 #include <QApplication>
 #include <QKeyEvent>
@@ -299,17 +300,26 @@ void PlantView::showPreview(const Preview& preview) {
   parts_->overlayWidget->update();
 }
 
+Overlay PlantView::Parts::overlayOfPicture() const {
+  Overlay result;
+  result.unit = shared->unit;
+  result.hulls = shared->hulls;
+  result.envelope = shared->envelope;
+  result.attachment = shared->attachment;
+  result.ghosts = shared->ghosts;
+  result.divider = divider;
+  result.seen = SeenSides::of(divider);
+  return result;
+}
+
 QImage PlantView::picture(const QSize& size, double pixelRatio) {
-  Overlay overlay;
-  overlay.unit = parts_->shared->unit;
-  overlay.hulls = parts_->shared->hulls;
-  overlay.envelope = parts_->shared->envelope;
-  overlay.attachment = parts_->shared->attachment;
-  overlay.ghosts = parts_->shared->ghosts;
-  overlay.divider = parts_->divider;
-  overlay.seen = SeenSides::of(parts_->divider);
-  return espalier::picture(parts_->scene, parts_->navigator.destination(), overlay, size,
-                           pixelRatio);
+  return espalier::picture(parts_->scene, parts_->navigator.destination(),
+                           parts_->overlayOfPicture(), size, pixelRatio);
+}
+
+std::unique_ptr<Turntable> PlantView::turntable(const TurntableOptions& options) const {
+  return std::make_unique<Turntable>(parts_->scene, parts_->navigator.destination(),
+                                     parts_->overlayOfPicture(), options);
 }
 
 std::size_t PlantView::graphicsBytes() const {

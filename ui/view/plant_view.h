@@ -32,6 +32,9 @@
 
 namespace espalier {
 
+class Turntable; // turntable.h
+struct TurntableOptions;
+
 enum class Layer { points, contracted, skeleton, reference };
 
 /// The 3D view of a plant: its points, its contracted points, its skeleton, and the reference that
@@ -178,6 +181,8 @@ public:
   /// The view as it would be drawn at `size`, all points, no pointer, no band and no preview.
   /// @param pixelRatio as of espalier::picture()
   [[nodiscard]] QImage picture(const QSize& size, double pixelRatio = 1);
+  /// The plant as picture() shows it, to be turned. @throws Error if there is no OpenGL
+  [[nodiscard]] std::unique_ptr<Turntable> turntable(const TurntableOptions& options) const;
   enum class Framing : std::uint8_t {
     whole,
     asSeen

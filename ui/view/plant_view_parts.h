@@ -56,6 +56,7 @@ struct PlantView::Parts {
 
   SurfaceClient client();
   void paintOverlay(QPainter& painter);
+  [[nodiscard]] Overlay overlayOfPicture() const;
   // In all views of the plant; where one moves its camera, that view alone.
   void redrawSkeleton() {
     for (Parts* each : shared->views)

@@ -57,6 +57,17 @@ TEST_F(Subcommands, PictureIsOfTheSizeThatIsAsked) {
   EXPECT_THAT(namesIn(folder_), ElementsAre("a.png"));
 }
 
+TEST_F(Subcommands, PictureTurnsAsAMovie) {
+  const auto outcome = runProgram({"picture", truth_, "-o", file("turn.png"), "--turntable", "2",
+                                   "--width", "64", "--height", "48"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "espalier: wrote " + file("turn.png") + ": 30 pictures, 64 x 48 pixels\n");
+  EXPECT_THAT(test::bytesOf(file("turn.png")), HasSubstr(std::string("acTL\0\0\0\x1e", 8)));
+  EXPECT_THAT(runProgram({"picture", truth_, "-o", file("a.png"), "--turntable", "61"}).err,
+              HasSubstr("choose a whole number from 2 to 60"));
+  EXPECT_THAT(namesIn(folder_), ElementsAre("turn.png"));
+}
+
 TEST_F(Subcommands, PictureShowsTheLayersThatAreAsked) {
   const auto picture = [&](const std::string& name, const test::Arguments& extra) {
     test::Arguments arguments = {"picture", scan_, truth_,     "-o", file(name),

@@ -4,6 +4,9 @@
 
 #include <QFileDialog>
 #include <QImage>
+#include <QSpinBox>
+#include <QTest>
+#include <QTimer>
 #include <gtest/gtest.h>
 
 namespace espalier {
@@ -43,6 +46,34 @@ TEST_F(PictureTest, HasTextsAsLargeAsTheViewHas) {
   EXPECT_NE(QImage(path("seen.png")).convertToFormat(QImage::Format_RGB32),
             view().picture(size).convertToFormat(QImage::Format_RGB32))
       << "drawn for a screen of that many pixels, all is half as large";
+}
+
+TEST_F(PictureTest, TurnsAsAMovie) {
+  EXPECT_FALSE(action("save_turntable").isEnabled()) << "there is nothing to see";
+  open({writeFork("fork.mtg")});
+  const auto save = [this](const QString& file) {
+    answer(
+        [&](QDialog& dialog) {
+          dialog.findChild<QSpinBox*>("turntable_width")->setValue(200);
+          dialog.findChild<QSpinBox*>("turntable_seconds")->setValue(2);
+          QTimer::singleShot(0,
+                             [this, file] { answer(chooseFile(file), [] { QTest::qWait(1); }); });
+          press("Choose File")(dialog);
+        },
+        [this] { action("save_turntable").trigger(); });
+  };
+  save(path("turn.png"));
+  ASSERT_TRUE(window().jobs().isBusy());
+  waitForJob();
+  EXPECT_TRUE(window().banner().text().startsWith("Wrote turn.png: 30 pictures"))
+      << window().banner().text().toStdString();
+  EXPECT_EQ(QImage(path("turn.png")).width(), 200);
+  save(path("stopped.png"));
+  clickButton("cancel_job");
+  waitForJob();
+  EXPECT_FALSE(QFile::exists(path("stopped.png"))) << "nothing is left behind";
+  save(path("turn.gif"));
+  EXPECT_TRUE(window().banner().text().contains("choose a name that ends in .png"));
 }
 
 TEST_F(PictureTest, OfAnotherFormatIsRefused) {

@@ -13,6 +13,7 @@ namespace {
 
 // [logical pixels]
 constexpr double legendMargin = 16;
+constexpr double veilMargin = 8;
 constexpr double titleHeight = 24;
 constexpr double barWidth = 10;
 constexpr double scaleWidth = 46; // the bar and the histogram
@@ -130,6 +131,13 @@ void paintLegend(QPainter& painter, const Legend& legend, const LegendBox& box, 
   paintNumbers(painter, legend, box, colors);
 }
 
+QSizeF sizeOf(const std::vector<LegendBox>& boxes) {
+  QRectF all;
+  for (const LegendBox& box : boxes)
+    all |= box.veil;
+  return all.size();
+}
+
 } // namespace
 
 double LegendBox::placeOf(const Legend& legend, double value) const {
@@ -143,7 +151,7 @@ double LegendBox::valueAt(const Legend& legend, double place) const {
 }
 
 std::vector<LegendBox> legendBoxes(const std::vector<Legend>& legends, const QSizeF& size,
-                                   const QFontMetricsF& font) {
+                                   const QFontMetricsF& font, Corner corner) {
   std::vector<LegendBox> boxes;
   double right = size.width() - legendMargin;
   for (const Legend& legend : legends) {
@@ -157,13 +165,26 @@ std::vector<LegendBox> legendBoxes(const std::vector<Legend>& legends, const QSi
     boxes.push_back(box);
     right -= width + 24;
   }
+  const QRectF all = boxIn(corner, sizeOf(boxes), size, veilMargin);
+  const double left = all.right() - (size.width() - veilMargin); // less than 0: to the left
+  const bool isAtBottom = corner == Corner::bottomRight || corner == Corner::bottomLeft;
+  for (LegendBox& box : boxes) {
+    const QPointF shift(left, isAtBottom ? all.bottom() - box.veil.bottom() : 0);
+    box.veil.translate(shift);
+    box.scale.translate(shift);
+  }
   return boxes;
 }
 
+InCorner legendsInCorner(const std::vector<Legend>& legends, const QSizeF& size,
+                         const QFontMetricsF& font, Corner now) {
+  return {sizeOf(legendBoxes(legends, size, font, now)), veilMargin, now};
+}
+
 void paintLegends(QPainter& painter, const std::vector<Legend>& legends, const QSizeF& size,
-                  bool dark) {
+                  Corner corner, bool dark) {
   const QFontMetricsF font(painter.font(), painter.device());
-  const std::vector<LegendBox> boxes = legendBoxes(legends, size, font);
+  const std::vector<LegendBox> boxes = legendBoxes(legends, size, font, corner);
   for (std::size_t i = 0; i < legends.size(); ++i) {
     if (size.width() >= leastVeiled) paintVeil(painter, boxes[i].veil, palette(dark).backgroundTop);
     paintLegend(painter, legends[i], boxes[i], dark);

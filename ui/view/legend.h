@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/view/color_map.h"
+#include "ui/view/corner.h"
 
 #include <QFontMetricsF>
 #include <QPainter>
@@ -20,13 +21,19 @@ struct LegendBox {
   [[nodiscard]] double placeOf(const Legend& legend, double value) const;
   [[nodiscard]] double valueAt(const Legend& legend, double place) const;
 };
-[[nodiscard]] std::vector<LegendBox> legendBoxes(const std::vector<Legend>& legends,
-                                                 const QSizeF& size, const QFontMetricsF& font);
 
-/// Color bars, or lists of categories, side by side from the right at the top of a view.
+/// Side by side from the right, in a corner of a view.
+[[nodiscard]] std::vector<LegendBox> legendBoxes(const std::vector<Legend>& legends,
+                                                 const QSizeF& size, const QFontMetricsF& font,
+                                                 Corner corner);
+/// All of them together; an empty box if there are none.
+[[nodiscard]] InCorner legendsInCorner(const std::vector<Legend>& legends, const QSizeF& size,
+                                       const QFontMetricsF& font, Corner now);
+
+/// Color bars, or lists of categories, as legendBoxes().
 /// @param size of the view [logical pixels]
 void paintLegends(QPainter& painter, const std::vector<Legend>& legends, const QSizeF& size,
-                  bool dark);
+                  Corner corner, bool dark);
 
 /// The ends of a range, as written at a color bar.
 [[nodiscard]] QString rangeNumber(double value, const ValueRange& range);

@@ -15,7 +15,6 @@ namespace {
 // [logical pixels]
 constexpr QSize mapSize(168, 126);
 constexpr QSize leastView(560, 420);
-constexpr int besideAxes = 92;
 constexpr int minimapMargin = 12;
 constexpr double slack = 2; // that a plant may reach beyond what the view shows of it
 
@@ -44,11 +43,15 @@ bool Minimap::fits(const QSize& view) {
 }
 
 void Minimap::place(const QSize& view) {
-  setGeometry(QRect(QPoint(view.width() - besideAxes - mapSize.width(),
-                           view.height() - minimapMargin - mapSize.height()),
-                    mapSize));
+  setGeometry(boxIn(corner_, mapSize, view, minimapMargin).toRect());
   viewAspect_ = view.width() / std::max(1.0, double(view.height()));
   update();
+}
+
+void Minimap::giveWay(const std::vector<QPointF>& plant, const QSize& view,
+                      const std::vector<Corner>& taken) {
+  corner_ = freestCorner({mapSize, minimapMargin, corner_}, plant, view, taken);
+  place(view);
 }
 
 void Minimap::noteChange() {

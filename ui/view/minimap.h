@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/view/corner.h"
 #include "ui/view/scene.h"
 
 #include <QImage>
@@ -23,6 +24,9 @@ public:
   /// Does it fit in a view of this size, beside what else is there?
   [[nodiscard]] static bool fits(const QSize& view);
   void place(const QSize& view); // in its corner
+  /// Goes to the corner where it covers least of the plant, see freestCorner().
+  void giveWay(const std::vector<QPointF>& plant, const QSize& view,
+               const std::vector<Corner>& taken);
 
   void noteChange(); // of the plant or its colors: drawn anew a moment later
   void showCamera(const Camera& camera);
@@ -54,6 +58,7 @@ private:
   void moveTo(const QPointF& place);
 
   const Scene& scene_;
+  Corner corner_ = Corner::bottomRight;
   std::vector<Eigen::Vector3d> places_; // of the plant [L]
   Camera camera_;                       // of the view
   Camera map_;                          // of the map

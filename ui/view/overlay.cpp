@@ -181,6 +181,23 @@ QString nameOf(const Scene& scene, Side side, const SeenSides& seen) {
   return isCompared ? QCoreApplication::translate("espalier::Overlay", "Plant") : QString();
 }
 
+void Overlay::giveWay(const Scene& scene, const std::vector<QPointF>& plant, const QSizeF& size,
+                      const QFontMetricsF& font) {
+  const std::vector<Legend> legends =
+      hasLegends ? legendsOf(scene, unit, seen) : std::vector<Legend>();
+  if (legends.empty()) return;
+  std::vector<Corner> taken;
+  if (sight) taken.push_back(Corner::topLeft); // by its key
+  legendsIn = freestCorner(legendsInCorner(legends, size, font, legendsIn), plant, size, taken);
+}
+
+std::vector<Corner> Overlay::corners() const {
+  std::vector<Corner> corners;
+  if (hasLegends) corners.push_back(legendsIn);
+  if (sight && hasLegends) corners.push_back(Corner::topLeft);
+  return corners;
+}
+
 void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
                     const QSizeF& size) const {
   if (isBare) return;
@@ -199,7 +216,7 @@ void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
   paintPreview(painter, preview, screen, scene.dark);
   paintBand(painter, band, scene.dark);
   if (scene.bounds().isEmpty()) return;
-  if (hasLegends) paintLegends(painter, legendsOf(scene, unit, seen), size, scene.dark);
+  if (hasLegends) paintLegends(painter, legendsOf(scene, unit, seen), size, legendsIn, scene.dark);
   paintScaleBar(painter, scene, camera, unit, size);
   paintAxes(painter, camera, size, scene.dark);
   if (pivotShown) paintPivot(painter, scene, camera, size);

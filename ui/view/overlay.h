@@ -3,6 +3,7 @@
 #include "ui/document/canvas.h"
 #include "ui/view/attachment_overlay.h"
 #include "ui/view/camera.h"
+#include "ui/view/corner.h"
 #include "ui/view/envelope_overlay.h"
 #include "ui/view/ghost_overlay.h"
 #include "ui/view/hull_overlay.h"
@@ -40,6 +41,7 @@ struct SeenSides {
 struct Overlay {
   QString unit; // of lengths; empty: not known
   bool hasLegends = true;
+  Corner legendsIn = Corner::topRight;
   bool isBare = false; // nothing is painted
   bool pivotShown = false;
   double divider = 1;                        // of the view, as PlantView::setDivider
@@ -54,6 +56,13 @@ struct Overlay {
   QString word;                              // as PlantView::setWord
   QPolygonF band;                            // as Canvas::showBand
   Preview preview;                           // as Canvas::showPreview
+
+  /// Moves the legends to the corner where they cover least of the plant, see freestCorner().
+  /// @param plant as plantOnScreen()
+  void giveWay(const Scene& scene, const std::vector<QPointF>& plant, const QSizeF& size,
+               const QFontMetricsF& font);
+  /// The corners that are not free for anything else.
+  [[nodiscard]] std::vector<Corner> corners() const;
 
   /// @param size of the view in logical pixels
   void paint(QPainter& painter, const Scene& scene, const Camera& camera, const QSizeF& size) const;

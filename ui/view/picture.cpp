@@ -1,8 +1,11 @@
 #include "ui/view/picture.h"
 
+#include "ui/view/corner.h"
 #include "ui/view/offscreen_renderer.h"
 
 #include <QBuffer>
+#include <QFontMetricsF>
+#include <QImage>
 
 namespace espalier {
 
@@ -17,7 +20,15 @@ QByteArray pngOf(const QImage& image) {
 QImage picture(const Scene& scene, const Camera& camera, const Overlay& overlay, const QSize& size,
                double pixelRatio) {
   Scene copy = scene; // drawing takes from a scene what changed in it
-  return OffscreenRenderer(copy, makeSceneBuffers()).picture(camera, overlay, size, pixelRatio);
+  Overlay placed = overlay;
+  if (!overlay.isBare && overlay.hasLegends) {
+    const QSizeF logical = QSizeF(size) / pixelRatio;
+    const QImage device(1, 1, QImage::Format_ARGB32_Premultiplied);
+    placed.giveWay(scene,
+                   plantOnScreen(scene, ScreenMap(camera, {logical.width(), logical.height()})),
+                   logical, QFontMetricsF(QFont(), &device));
+  }
+  return OffscreenRenderer(copy, makeSceneBuffers()).picture(camera, placed, size, pixelRatio);
 }
 
 Camera cameraOf(const Scene& scene, StandardView view, double aspect) {

@@ -47,7 +47,7 @@ double PlantView::Parts::seenViews() const {
   return std::max(1.0, double(std::ranges::count_if(shared->views, isSeen)));
 }
 
-void PlantView::Parts::paintOverlay(QPainter& painter) {
+void PlantView::Parts::setUpOverlay() {
   overlay.unit = shared->unit;
   overlay.hulls = shared->hulls;
   overlay.envelope = shared->envelope;
@@ -57,6 +57,10 @@ void PlantView::Parts::paintOverlay(QPainter& painter) {
   overlay.hasLegends = isFirst();
   overlay.divider = divider;
   overlay.seen = shared->seenSides();
+}
+
+void PlantView::Parts::paintOverlay(QPainter& painter) {
+  setUpOverlay();
   overlay.pivotShown = navigator.gesture() == Navigator::Gesture::turn;
   painter.setRenderHint(QPainter::Antialiasing);
   clipHandles.paint(painter, sight(), scene.dark); // under the legends
@@ -87,6 +91,7 @@ PlantView::PlantView(std::shared_ptr<Shared> shared, QWidget* parent)
   parts_->settling.setInterval(settledAfter);
   connect(&parts_->settling, &QTimer::timeout, this, [this] {
     parts_->spanSeen();
+    parts_->giveWay();
     emit settled();
   });
   parts_->rest.setSingleShot(true);
@@ -253,11 +258,8 @@ std::optional<QPointF> PlantView::project(const Eigen::Vector3d& place) const {
 }
 
 int PlantView::coveredBy(const QRect& part) const {
-  const ScreenMap screen = parts_->pointer.screen();
-  const auto isIn = [&](const Eigen::Vector3d& place) {
-    const auto at = screen.project(place);
-    return at && QRectF(part).contains(at->pixel.x(), at->pixel.y());
-  };
+  const std::vector<QPointF> plant = plantOnScreen(parts_->scene, parts_->pointer.screen());
+  const auto isIn = [&](const QPointF& place) { return QRectF(part).contains(place); };
   const auto isBarIn = [&](const ColorBar* bar) {
     return bar->isVisible() && bar->geometry().intersects(part);
   };
@@ -265,7 +267,7 @@ int PlantView::coveredBy(const QRect& part) const {
   const bool isMapIn = map != nullptr && map->isVisible() && map->geometry().intersects(part);
   constexpr int asMuch = 1000; // places: what a color bar or the minimap counts for
   return static_cast<int>(
-      std::ranges::count_if(parts_->scene.outline(), isIn) +
+      std::ranges::count_if(plant, isIn) +
       asMuch * (std::ranges::count_if(parts_->colorBars, isBarIn) + (isMapIn ? 1 : 0)));
 }
 
@@ -309,6 +311,7 @@ Overlay PlantView::Parts::overlayOfPicture() const {
   result.ghosts = shared->ghosts;
   result.divider = divider;
   result.seen = SeenSides::of(divider);
+  result.legendsIn = overlay.legendsIn;
   return result;
 }
 

@@ -40,11 +40,22 @@ void PlantView::setReferenceSelection(const std::vector<NodeId>& nodes) {
   parts_->redrawSkeleton();
 }
 
+void PlantView::Parts::giveWay() {
+  if (!mayBeInTheWay || owner.isInGesture()) return;
+  mayBeInTheWay = false;
+  setUpOverlay();
+  const std::vector<QPointF> plant = plantOnScreen(scene, pointer.screen());
+  overlay.giveWay(scene, plant, owner.size(), QFontMetricsF(owner.font(), overlayWidget));
+  overlayWidget->update();
+  refreshColorBars();
+  if (minimap != nullptr) minimap->giveWay(plant, owner.size(), overlay.corners());
+}
+
 void PlantView::Parts::refreshColorBars() {
   const std::vector<Legend> legends =
       isFirst() ? legendsOf(scene, shared->unit, shared->seenSides()) : std::vector<Legend>();
-  const std::vector<LegendBox> boxes =
-      legendBoxes(legends, owner.size(), QFontMetricsF(owner.font(), overlayWidget));
+  const std::vector<LegendBox> boxes = legendBoxes(
+      legends, owner.size(), QFontMetricsF(owner.font(), overlayWidget), overlay.legendsIn);
   std::size_t shown = 0;
   for (std::size_t i = 0; i < legends.size() && !scene.bounds().isEmpty(); ++i) {
     if (!legends[i].categories.empty()) continue;

@@ -55,8 +55,10 @@ struct PlantView::Parts {
   Parts& operator=(const Parts&) = delete;
 
   SurfaceClient client();
+  void setUpOverlay();
   void paintOverlay(QPainter& painter);
   [[nodiscard]] Overlay overlayOfPicture() const;
+  void giveWay(); // has legends and the minimap leave the plant, once nothing moves
   // In all views of the plant; where one moves its camera, that view alone.
   void redrawSkeleton() {
     for (Parts* each : shared->views)
@@ -75,6 +77,7 @@ struct PlantView::Parts {
     settling.start();
   }
   void redrawThis() {
+    mayBeInTheWay = true;
     redrawSurface();
     overlayWidget->update();
     refreshColorBars();
@@ -163,7 +166,8 @@ struct PlantView::Parts {
   Pace pace = turning; // while it runs
   bool complete = false;
   bool wasFramed = false;
-  QWidget* surface; // owned by the view; goes before what it draws, see ~PlantView
+  bool mayBeInTheWay = true; // the camera, or what is shown, has changed since giveWay()
+  QWidget* surface;          // owned by the view; goes before what it draws, see ~PlantView
   QWidget* overlayWidget;
   double divider = 1;               // as PlantView::setDivider
   Divider* dividerHandle = nullptr; // owned by the view; null: not shown yet

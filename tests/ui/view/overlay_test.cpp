@@ -24,8 +24,10 @@ QColor groundUnderBar(const QSize& size) {
   image.fill(Qt::red);
   QPainter painter(&image);
   const QRectF veil =
-      legendBoxes({legend}, size, QFontMetricsF(painter.font(), painter.device())).front().veil;
-  paintLegends(painter, {legend}, size, false);
+      legendBoxes({legend}, size, QFontMetricsF(painter.font(), painter.device()), Corner::topRight)
+          .front()
+          .veil;
+  paintLegends(painter, {legend}, size, Corner::topRight, false);
   return image.pixelColor(veil.bottomLeft().toPoint() + QPoint(8, -3));
 }
 

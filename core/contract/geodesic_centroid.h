@@ -9,9 +9,9 @@
 namespace espalier {
 
 struct GeodesicCentroidOptions {
-  PointLinks neighbors = 7;                         // of each point
-  Length radius = spacings(1.5) + thicknesses(2.4); // [L] along the plant, > 0
-  bool fitsCircles = false;                         // for wood seen from one side
+  PointLinks neighbors = 7;                       // of each point
+  Length radius = spacings(1) + thicknesses(2.6); // [L] along the plant, > 0
+  bool fitsCircles = false;                       // for wood seen from one side
 };
 
 /// Contracts a cloud towards the axes of the plant: each point moves to the mean of the points that

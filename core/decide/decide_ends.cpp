@@ -1,5 +1,7 @@
 #include "core/decide/decide_ends.h"
 
+#include "core/skeleton/prune.h"
+
 #include <algorithm>
 #include <map>
 #include <tuple>

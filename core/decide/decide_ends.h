@@ -3,7 +3,6 @@
 #include "core/base/progress.h"
 #include "core/base/rule.h"
 #include "core/decide/end_odds.h"
-#include "core/skeleton/prune.h"
 
 #include <Eigen/Core>
 
@@ -12,8 +11,8 @@
 namespace espalier {
 
 struct EndOptions {
-  double leastProbability = 0.1;        // in [0, 1]: less probable ends go
-  Length length = SpurOptions().length; // [L] shorter ends go in any case
+  double leastProbability = 0.5;  // in [0, 1]: less probable ends go
+  Length length = thicknesses(2); // [L] shorter ends go in any case
 };
 
 /// An end of which it was asked whether it is a shoot.

@@ -1,6 +1,6 @@
 #include "core/pipeline/grow_branches.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/spatial_index.h"
 #include "core/graph/components.h"
 #include "core/pipeline/grow_part.h"
@@ -193,13 +193,14 @@ std::vector<GrownBranch> grown(const Skeleton& skeleton, const PointCloud& cloud
                                const std::vector<Eigen::Index>& points, const GrowOptions& options,
                                const PlantScale& whole, std::vector<double> bark,
                                const Progress& progress) {
-  const Error nothing("nothing grows from these points: they are too few, or too far from the "
-                      "plant; choose others, or trace the branch");
-  if (points.size() < fewestChosen) throw Error(nothing);
+  const ShownError nothing(
+      {espalier::Shown::tr("nothing grows from these points: they are too few, or too far from the "
+                           "plant; choose others, or trace the branch")});
+  if (points.size() < fewestChosen) throw ShownError(nothing);
   std::vector<GrownBranch> branches =
       Growth(skeleton, cloud, points, options, whole, std::move(bark)).grow(progress);
   std::erase_if(branches, [](const GrownBranch& branch) { return branch.part.size() < 2; });
-  if (branches.empty()) throw Error(nothing);
+  if (branches.empty()) throw ShownError(nothing);
   return branches;
 }
 
@@ -228,7 +229,8 @@ std::vector<GrownBranch> grownFromUnexplained(const Skeleton& skeleton,
   const std::vector<Eigen::Index> points =
       freePoints(skeleton, *cloud, options.pipeline.leftOut, tolerance, {}, progress.part(0, 0.2));
   if (points.size() < fewestPoints)
-    throw Error("the skeleton explains all points: there is nothing to grow");
+    throw ShownError(
+        {espalier::Shown::tr("the skeleton explains all points: there is nothing to grow")});
   std::vector<double> bark = barkReaches(skeleton, *cloud, tolerance, progress.part(0.2, 0.4));
   return grown(skeleton, *cloud, points, options, whole, std::move(bark), progress.part(0.4, 1));
 }

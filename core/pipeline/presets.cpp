@@ -51,8 +51,7 @@ PipelineOptions thesis() {
 /// stays, however short.
 PipelineOptions leaves() {
   PipelineOptions options;
-  for (const char* setting :
-       {"prune.method=odds", "prune.least_odds=0.6", "prune.length=2.5 spacings"})
+  for (const char* setting : {"prune.method=odds", "prune.least_odds=0.7"})
     options.set(setting);
   return options;
 }
@@ -62,7 +61,6 @@ PipelineOptions leaves() {
 PipelineOptions ofKind(const char* leastOdds) {
   PipelineOptions options;
   options.set(std::string("prune.least_odds=") + leastOdds);
-  options.set("prune.length=2.5 spacings");
   return options;
 }
 
@@ -93,23 +91,26 @@ const std::vector<NamedPreset>& presets() {
                  "probably shoots or midribs than not; all else as by default."),
        "", leaves()},
       {"bare", Shown::tr("Tree without Leaves"),
-       Shown::tr("For trees and shrubs in winter: fewer ends, of those that are hardly shoots."),
-       "", ofKind("0.5"), PlantKind::bareTree},
+       Shown::tr("For trees and shrubs in winter: fewer ends, those that are rather probably "
+                 "shoots."),
+       "", ofKind("0.6"), PlantKind::bareTree},
       {"needles", Shown::tr("Tree with Needles"),
-       Shown::tr("For conifers with needles: fewer ends, of those that are hardly shoots."), "",
-       ofKind("0.4"), PlantKind::needleTree},
+       Shown::tr("For conifers with needles: fewer ends, those that are rather probably shoots."),
+       "", ofKind("0.6"), PlantKind::needleTree},
       {"in_leaf", Shown::tr("Tree in Leaf"),
-       Shown::tr("For trees and shrubs in leaf: few ends, only the most probable shoots."), "",
-       ofKind("0.8"), PlantKind::leafyTree},
-      {"herb",
-       Shown::tr("Herb"),
-       Shown::tr("For herbs with leaves on petioles: as by default, which nothing betters there."),
+       Shown::tr("For trees and shrubs in leaf: fewer ends, those that are quite probably "
+                 "shoots."),
+       "", ofKind("0.7"), PlantKind::leafyTree},
+      {"herb", Shown::tr("Herb"),
+       Shown::tr("For herbs with leaves on petioles: more ends, also of those that are less "
+                 "probably midribs than not."),
+       "", ofKind("0.3"), PlantKind::herb},
+      {"grass",
+       Shown::tr("Grass"),
+       Shown::tr("For grasses such as maize: as by default, which nothing betters there."),
        "",
        {},
-       PlantKind::herb},
-      {"grass", Shown::tr("Grass"),
-       Shown::tr("For grasses such as maize: fewer ends, of those that are hardly midribs."), "",
-       ofKind("0.6"), PlantKind::grass},
+       PlantKind::grass},
       {"plot", Shown::tr("From a Plot"),
        Shown::tr("Leaves out ground, poles, wires and other plants; all else as by default."), "",
        plot()}};

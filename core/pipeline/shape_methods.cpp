@@ -9,8 +9,9 @@
 #include "core/skeleton/prune.h"
 #include "core/skeleton/recenter.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,20 +19,18 @@
 namespace espalier {
 namespace {
 
-/// Of a plant most of whose ends are probably no shoots, that they are; else nothing.
-std::string noteOnEnds(const std::vector<EndDecision>& decisions) {
-  constexpr std::ptrdiff_t few = 10; // ends: of these most may be wrong by chance
-  std::ptrdiff_t ends = 0;
-  double noShoots = 0;
-  for (const EndDecision& decision : decisions)
-    if (decision.stays) {
-      ++ends;
-      noShoots += 1 - decision.probability;
-    }
-  if (ends < few || noShoots <= 0.5 * static_cast<double>(ends)) return {};
-  return "about " + std::to_string(std::lround(noShoots)) + " of the " + std::to_string(ends) +
-         " ends are probably edges of leaves or needles, no shoots: for a herb or a seedling, try "
-         "the settings Leaves (--preset leaves)";
+/// Of a plant that had many more ends than shoots, by the odds that are used by default, that it
+/// has; else nothing.
+std::string noteOnEnds(const std::vector<EndDecision>& decisions, const EndOptions& options) {
+  constexpr std::ptrdiff_t few = 25; // ends: of a small plant fewer stay
+  constexpr std::ptrdiff_t many = 5; // times as many as stay
+  const std::ptrdiff_t stay = std::ranges::count_if(decisions, &EndDecision::stays);
+  const std::ptrdiff_t gone = std::ssize(decisions) - stay;
+  if (options.leastProbability > EndOptions().leastProbability || stay < few || gone < many * stay)
+    return {};
+  return std::to_string(gone) + " of " + std::to_string(decisions.size()) +
+         " ends are removed, most of them probably edges of leaves or needles, and more of these "
+         "may be left: for a herb or a seedling, try the settings Leaves (--preset leaves)";
 }
 
 Method oddsMethod() {
@@ -52,11 +51,12 @@ Method oddsMethod() {
       .source = "logistic regression: D. R. Cox, J. R. Stat. Soc. B 20, 1958",
       .options = table.descriptions(),
       .run = [table](PipelineState& state, const Values& values, const Progress& progress) {
+        const Options options = table.with(values);
         DecidedEnds decided =
             withDecidedEnds(*state.skeleton, keptPositions(state), state.cloud->origin(),
-                            state.extent.scale, table.with(values), progress);
+                            state.extent.scale, options, progress);
         state.setSkeleton(std::move(decided.skeleton));
-        if (std::string note = noteOnEnds(decided.decisions); !note.empty())
+        if (std::string note = noteOnEnds(decided.decisions, options); !note.empty())
           state.notes.push_back(std::move(note));
         state.ends = std::make_shared<const std::vector<EndDecision>>(std::move(decided.decisions));
       }};

@@ -14,7 +14,7 @@ namespace espalier {
 
 struct GapOptions {
   Length widest =
-      spacings(10); // [L] edges this much longer than the wood is thick bridge a gap, > 0
+      spacings(5); // [L] edges this much longer than the wood is thick bridge a gap, > 0
   Length reach = spacings(50); // [L] how far across a gap wood is looked for, >= widest
   double turnCost = 4; // how much more a link costs that turns back than one straight on, >= 0
   Length backCost = spacings(20); // [L] what it costs that a branch points back, >= 0

@@ -10,8 +10,8 @@
 namespace espalier {
 
 struct GeodesicBinOptions {
-  PointLinks neighbors = 12;                        // of each point; more of them bridge wider gaps
-  Length binWidth = spacings(2) + thicknesses(1.6); // [L] along the plant, > 0
+  PointLinks neighbors = 8; // of each point; more of them bridge wider gaps
+  Length binWidth = spacings(0.5) + thicknesses(2.2); // [L] along the plant, > 0
   Length widestGap = 0; // [L] parts of the plant farther apart are not joined; 0 = join all
   double turnCost = 0;  // >= 0; 0: parents follow the shortest paths, else see below
 };

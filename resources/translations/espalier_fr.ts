@@ -10609,40 +10609,20 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>Arbre sans feuilles</translation>
     </message>
     <message>
-        <source>For trees and shrubs in winter: fewer ends, of those that are hardly shoots.</source>
-        <translation>Pour les arbres et arbustes en hiver&#xa0;: moins d’extrémités, sans celles qui ne sont guère des pousses.</translation>
-    </message>
-    <message>
         <source>Tree with Needles</source>
         <translation>Arbre à aiguilles</translation>
-    </message>
-    <message>
-        <source>For conifers with needles: fewer ends, of those that are hardly shoots.</source>
-        <translation>Pour les conifères à aiguilles&#xa0;: moins d’extrémités, sans celles qui ne sont guère des pousses.</translation>
     </message>
     <message>
         <source>Tree in Leaf</source>
         <translation>Arbre feuillé</translation>
     </message>
     <message>
-        <source>For trees and shrubs in leaf: few ends, only the most probable shoots.</source>
-        <translation>Pour les arbres et arbustes en feuilles&#xa0;: peu d’extrémités, seulement les pousses les plus probables.</translation>
-    </message>
-    <message>
         <source>Herb</source>
         <translation>Herbacée</translation>
     </message>
     <message>
-        <source>For herbs with leaves on petioles: as by default, which nothing betters there.</source>
-        <translation>Pour les herbacées à feuilles pétiolées&#xa0;: par défaut, rien n’y fait mieux.</translation>
-    </message>
-    <message>
         <source>Grass</source>
         <translation>Graminée</translation>
-    </message>
-    <message>
-        <source>For grasses such as maize: fewer ends, of those that are hardly midribs.</source>
-        <translation>Pour les graminées comme le maïs&#xa0;: moins d’extrémités, sans celles qui ne sont guère des nervures médianes.</translation>
     </message>
     <message>
         <source>From a Plot</source>
@@ -12635,6 +12615,34 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>base</source>
         <translation>base</translation>
+    </message>
+    <message>
+        <source>For trees and shrubs in winter: fewer ends, those that are rather probably shoots.</source>
+        <translation>Pour les arbres et arbustes en hiver&#xa0;: moins d’extrémités, celles qui sont assez probablement des pousses.</translation>
+    </message>
+    <message>
+        <source>For conifers with needles: fewer ends, those that are rather probably shoots.</source>
+        <translation>Pour les conifères à aiguilles&#xa0;: moins d’extrémités, celles qui sont assez probablement des pousses.</translation>
+    </message>
+    <message>
+        <source>For trees and shrubs in leaf: fewer ends, those that are quite probably shoots.</source>
+        <translation>Pour les arbres et arbustes feuillés&#xa0;: moins d’extrémités, celles qui sont très probablement des pousses.</translation>
+    </message>
+    <message>
+        <source>For herbs with leaves on petioles: more ends, also of those that are less probably midribs than not.</source>
+        <translation>Pour les herbacées à feuilles pétiolées&#xa0;: plus d’extrémités, dont celles qui sont peut-être des nervures médianes.</translation>
+    </message>
+    <message>
+        <source>For grasses such as maize: as by default, which nothing betters there.</source>
+        <translation>Pour les graminées comme le maïs&#xa0;: comme par défaut, rien n’y fait mieux.</translation>
+    </message>
+    <message>
+        <source>nothing grows from these points: they are too few, or too far from the plant; choose others, or trace the branch</source>
+        <translation>rien ne pousse à partir de ces points&#xa0;: ils sont trop peu nombreux, ou trop loin de la plante&#xa0;; choisissez-en d’autres, ou tracez la branche</translation>
+    </message>
+    <message>
+        <source>the skeleton explains all points: there is nothing to grow</source>
+        <translation>le squelette explique tous les points&#xa0;: il n’y a rien à faire pousser</translation>
     </message>
 </context>
 <context>

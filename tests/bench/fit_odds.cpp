@@ -4,7 +4,8 @@
 //   espalier_fit_odds [--plants N] [--others M] [--rounds R]
 //   espalier_fit_odds --judge SCAN REFERENCE [SCAN REFERENCE ...]
 //
-// N plants, 120 if it is not said, are fitted on, the next M, 60, are judged by. An end is labelled
+// N plants, 180 if it is not said, are fitted on, the next M, 90, are judged by; every third shows
+// leaves or needles of its kind (organ_scans.h), the others are of any kind. An end is labelled
 // a shoot if the measure of the method's authors matches its segment to one of the truth. Examples
 // are the ends of skeletons before any are taken away, and in later rounds (3) also those that are
 // there after they were taken away by the odds of the round before: what is asked in between.
@@ -12,14 +13,14 @@
 //
 // --judge fits nothing: it shows how often the odds that are in use are right on real scans, whose
 // references are laid on what is found; of each pair alone.
+#include "core/cloud/point_set.h"
 #include "core/decide/decide_ends.h"
 #include "core/evaluate/match/authors_comparison.h"
 #include "core/evaluate/registration/registration.h"
 #include "core/io/formats.h"
-#include "core/pipeline/cleaned_scan.h"
-#include "core/pipeline/method_parts.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/bench/fitted_quadratic.h"
+#include "tests/bench/organ_scans.h"
 #include "tests/bench/simulated_scans.h"
 
 #include <algorithm>
@@ -55,12 +56,27 @@ struct Case {
   PlantScale scale;
 };
 
+/// Those that the skeleton was made of.
+Eigen::Matrix3Xf pointsOf(const std::shared_ptr<const PointCloud>& cloud,
+                          const Reconstruction& result) {
+  return result.apart ? without(*cloud, *result.apart).positions() : cloud->positions();
+}
+
+/// Two plants in three are of any kind, the third shows what its organs are.
+ScannedPlant scannedOne(std::uint64_t number) {
+  if (number % 3 != 0) return scannedPlant(number);
+  constexpr std::uint64_t unseen = 7000; // other plants than those that organs are fitted on
+  OrganScan scan = organScan(unseen + number);
+  return {
+      .name = std::move(scan.kind), .truth = std::move(scan.truth), .cloud = std::move(scan.cloud)};
+}
+
 std::optional<Case> caseOf(std::uint64_t number) try {
-  Case found{.plant = scannedPlant(number)};
+  Case found{.plant = scannedOne(number)};
   const Reconstruction result = Pipeline().run(found.plant.cloud, {}, {}, "join");
   found.skeleton = *result.skeleton;
   found.scale = result.scale;
-  found.points = keptPositions(cleanedScan(found.plant.cloud, {}).state);
+  found.points = pointsOf(found.plant.cloud, result);
   return found;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%d: %s\n", static_cast<int>(number), error.what());
@@ -132,7 +148,7 @@ Case caseOf(const std::string& scan, const std::string& reference) {
   const Reconstruction result = Pipeline().run(found.plant.cloud, {}, {}, "join");
   found.skeleton = *result.skeleton;
   found.scale = result.scale;
-  found.points = keptPositions(cleanedScan(found.plant.cloud, {}).state);
+  found.points = pointsOf(found.plant.cloud, result);
   Skeleton truth = readStructure(reference).value.skeleton;
   const Registration lies = registration(found.skeleton, truth);
   found.plant.truth = moved(std::move(truth), lies.motion.inverse());
@@ -197,7 +213,7 @@ int main(int argc, char** argv) try {
       espalier::judge(argv[i], argv[i + 1]);
     return 0;
   }
-  int plants = 120, others = 60, rounds = 3;
+  int plants = 180, others = 90, rounds = 3;
   for (int i = 1; i + 1 < argc; i += 2) {
     const std::string name = argv[i];
     int& value = name == "--plants" ? plants : name == "--others" ? others : rounds;

@@ -2,9 +2,10 @@
 // core/radius/radius_regression.cpp, on simulated scans, and shows on others how often the true
 // radius lies in its interval.
 //
-//   espalier_fit_radii [--plants N] [--others M]
+//   espalier_fit_radii [--plants N] [--others M] [--first I]
 //
-// N plants, 120 if it is not said, are fitted on, the next M, 120, are judged by. Judged are nodes
+// N plants, 120 if it is not said, are fitted on, M, 120, from number I, 121, on are judged by.
+// With N 0 the numbers that are in the program are judged. Judged are nodes
 // within the true wood or a spacing off it. Each plant weighs as the root of its nodes.
 #include "core/base/quantile.h"
 #include "core/cloud/spacing_of_places.h"
@@ -276,7 +277,11 @@ void judge(const char* name, const std::vector<Case>& cases, const RadiusRegress
   printVolumes(all);
 }
 
-int fitRadii(int plants, int others) {
+int fitRadii(int plants, int others, int first) {
+  if (plants == 0) {
+    judge("others", casesOf(first, first + others), fittedRadiusRegression());
+    return 0;
+  }
   const std::vector<Case> cases = casesOf(1, plants + 1);
   const Examples examples = examplesOf(cases);
   std::printf("%zu nodes of %zu plants\n", examples.errors.size(), cases.size());
@@ -288,7 +293,7 @@ int fitRadii(int plants, int others) {
   print("least", regression.low.least);
   print("most", regression.low.most);
   judge("these plants", cases, regression);
-  judge("others", casesOf(plants + 1, plants + 1 + others), regression);
+  judge("others", casesOf(first, first + others), regression);
   return 0;
 }
 
@@ -296,8 +301,11 @@ int fitRadii(int plants, int others) {
 } // namespace espalier
 
 int main(int argc, char** argv) {
-  int plants = 120, others = 120;
-  for (int i = 1; i + 1 < argc; i += 2)
-    (std::string(argv[i]) == "--plants" ? plants : others) = std::atoi(argv[i + 1]);
-  return espalier::fitRadii(plants, others);
+  int plants = 120, others = 120, first = 121;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    const std::string name = argv[i];
+    int& value = name == "--plants" ? plants : name == "--others" ? others : first;
+    value = std::atoi(argv[i + 1]);
+  }
+  return espalier::fitRadii(plants, others, first);
 }

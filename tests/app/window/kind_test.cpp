@@ -1,6 +1,5 @@
 // What the plant of a scan probably is, is said in the panel of the pipeline.
 #include "core/pipeline/kind_of_scan.h"
-#include "core/simulate/plant_grower.h"
 #include "tests/app/window/project_fixture.h"
 #include "tests/support/leafy_plants.h"
 #include "ui/panels/kind_line.h"
@@ -16,15 +15,6 @@ namespace {
 
 struct KindTest : test::ProjectWindowTest {
   QString writeLeafyHerb(const QString& name) const { return write(name, test::leafyHerb().cloud); }
-  /// A stem with drooping straps.
-  QString writeMaize(const QString& name) const {
-    Foliage straps{
-        .blades = {.spacing = 0.12, .length = 0.5, .width = 0.05, .angle = 0.6, .reach = 10}};
-    straps.droop = 1.2;
-    const Skeleton stem =
-        growPlant({.architecture = Architecture::herb, .height = 4, .segments = 1}, 90'014);
-    return write(name, test::labeledScanOf(stem, straps, 12'000).cloud);
-  }
   QString write(const QString& name, const PointCloud& cloud) const {
     QFile file(path(name));
     EXPECT_TRUE(file.open(QIODevice::WriteOnly));
@@ -57,10 +47,9 @@ TEST_F(KindTest, IsSaidBeforeTheFirstReconstructionAndTakesNothingByItself) {
 }
 
 TEST_F(KindTest, ItsSettingsAreTakenByOneClick) {
-  open({writeMaize("maize.xyz")});
+  open({writeLeafyHerb("herb.xyz")});
   ASSERT_TRUE(waitUntilSaid());
-  EXPECT_TRUE(find<QLabel>("kind_text").text().endsWith(": Grass"));
-  const PipelineOptions& wanted = presetFor(PlantKind::grass).options;
+  const PipelineOptions& wanted = presetFor(PlantKind::herb).options;
   ASSERT_NE(options().settings, wanted.settings);
   clickButton("kind_take");
   EXPECT_EQ(options().settings, wanted.settings);

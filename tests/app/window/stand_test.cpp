@@ -238,7 +238,8 @@ TEST_F(StandTest, RulesOfTheStepsFollowThePointsThatAreKept) {
   const double before = document().scale().spacing;
   const auto lengthOf = [this] {
     for (StepForm* form : window().findChild<PipelinePanel*>()->steps())
-      if (form->step().name == "prune") return form->findChild<QDoubleSpinBox*>("length")->value();
+      if (form->step().name == "contract")
+        return form->findChild<QDoubleSpinBox*>("radius")->value();
     return 0.0;
   };
   const double length = lengthOf();

@@ -1,5 +1,6 @@
 #include "core/doubt/interview.h"
 #include "core/doubt/missing_branches.h"
+#include "core/evaluate/study/perturbation.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/plant_scale.h"
 #include "core/skeleton/edits.h"
@@ -24,11 +25,13 @@ struct Reconstructed {
   PlantScale scale;
 };
 
+/// With spurs, so that there is something to ask.
 const Reconstructed& tree() {
   static const Reconstructed made = [] {
     const auto cloud = std::make_shared<const PointCloud>(test::simulatedTree().cloud);
     const Reconstruction found = Pipeline().run(cloud);
-    return Reconstructed{cloud, *found.skeleton, found.scale};
+    return Reconstructed{cloud, perturbed(*found.skeleton, Perturbation::spurs, 0.1, 1),
+                         found.scale};
   }();
   return made;
 }

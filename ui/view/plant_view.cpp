@@ -133,7 +133,7 @@ void PlantView::setPointsLeftOut(const PointSet& points) {
 }
 
 void PlantView::setContracted(std::shared_ptr<const Eigen::Matrix3Xf> positions) {
-  parts_->scene.contracted.set(std::move(positions));
+  parts_->scene.setContracted(std::move(positions));
   parts_->redraw();
 }
 

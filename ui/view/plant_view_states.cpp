@@ -66,7 +66,7 @@ QImage PlantView::paperOf(const PlantState& state, const QSize& size, Framing fr
   Scene scene;
   scene.pointColor = PointColor::uniform;
   scene.setCloud(parts_->scene.cloud);
-  scene.contracted.set(state.contracted);
+  scene.contracted.set(state.contracted); // all of them: the points are not drawn
   scene.points.visible = state.contracted == nullptr;
   scene.setSkeleton(state.skeleton);
   scene.clip = parts_->scene.clip;

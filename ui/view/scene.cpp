@@ -46,6 +46,7 @@ void Scene::setCloud(std::shared_ptr<const PointCloud> replacement) {
   pointValues.reset();
   // Shares the ownership of the cloud: its positions are not copied.
   points.set(cloud ? std::shared_ptr<const Eigen::Matrix3Xf>(cloud, &cloud->positions()) : nullptr);
+  setContracted(contracted.positions);
   setPointColor(pointColor);
   skeleton.moveOrigin(origin());
   reference.moveOrigin(origin());
@@ -60,6 +61,15 @@ void Scene::setLeftOut(const PointSet& aside) {
   const std::optional<ValueRange> seen = seenRange; // still seen, but for a few points
   setPointColor(pointColor);
   seenRange = seen;
+}
+
+void Scene::setContracted(std::shared_ptr<const Eigen::Matrix3Xf> positions) {
+  contracted.set(std::move(positions));
+  const bool wereSome = std::exchange(areSomeAtRest, false);
+  if (contracted.size() > 0 && contracted.size() == points.size())
+    for (Eigen::Index i = 0; i < contracted.size() && !areSomeAtRest; ++i)
+      areSomeAtRest = isContractedAtRest(i);
+  if (wereSome || areSomeAtRest) ++colorRevision;
 }
 
 void Scene::measurePlant() {

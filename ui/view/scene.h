@@ -81,6 +81,7 @@ struct Scene {
   /// How far contracted points have gone from where they were scanned, in [0, 1]; they are then
   /// drawn in place of the points. None: each layer is where it is.
   std::optional<double> blend;
+  bool areSomeAtRest = false;      // contracted points that lie where they were scanned
   bool displacementsShown = false; // a line from where a point was scanned to where it is now
 
   PointColor pointColor = PointColor::height;
@@ -101,6 +102,7 @@ struct Scene {
 
   void setCloud(std::shared_ptr<const PointCloud> replacement);
   void setLeftOut(const PointSet& aside); // of the cloud, until setCloud()
+  void setContracted(std::shared_ptr<const Eigen::Matrix3Xf> positions);
   void setSkeleton(const Skeleton& replacement);
   void setReference(const Skeleton& replacement);                   // empty: none
   void setOther(Side side, const std::optional<PlantState>& state); // none: the plant itself
@@ -142,9 +144,15 @@ struct Scene {
     return !pointStates || (*pointStates)[static_cast<std::size_t>(point)] != PointState::hidden;
   }
 
-  /// Likewise, of a contracted point.
+  /// Likewise, of a contracted point: one that was left out, and so lies where it was scanned, is
+  /// shown there alone.
   [[nodiscard]] bool isContractedShown(Eigen::Index point) const {
-    return contracted.size() != points.size() || isPointShown(point);
+    return contracted.size() != points.size() ||
+           (isPointShown(point) && !isContractedAtRest(point));
+  }
+  /// pre: there are as many contracted points as points
+  [[nodiscard]] bool isContractedAtRest(Eigen::Index point) const {
+    return contracted.positions->col(point) == points.positions->col(point);
   }
 
   /// From the points of the other scan, as they are kept, to those of the cloud. pre: it is shown

@@ -141,6 +141,15 @@ void uploadMovedLooks(SceneBuffers::Points& buffers, const Scene& scene) {
   buffers.colorRevision = revision;
 }
 
+/// Those of points that were left out lie where they were scanned, and are shown there alone.
+std::vector<std::array<std::uint8_t, 4>> looksOfContracted(const Scene& scene) {
+  std::vector<std::array<std::uint8_t, 4>> looks = contractedLooks(scene);
+  if (scene.areSomeAtRest)
+    for (std::size_t i = 0; i < looks.size(); ++i)
+      if (scene.isContractedAtRest(static_cast<Eigen::Index>(i))) looks[i][3] = 0;
+  return looks;
+}
+
 } // namespace
 
 void SceneBuffers::uploadPoints(const Scene& scene) {
@@ -148,8 +157,8 @@ void SceneBuffers::uploadPoints(const Scene& scene) {
     uploadPositions(cloud_.positions, *scene.points.positions);
   if (cloud_.colorRevision != scene.colorRevision && scene.cloud) {
     uploadLooks(cloud_.colors, pointLooks(scene));
-    if (scene.pointStates)
-      uploadLooks(contracted_.colors, contractedLooks(scene));
+    if (scene.pointStates || scene.areSomeAtRest)
+      uploadLooks(contracted_.colors, looksOfContracted(scene));
     else
       contracted_.colors.release();
   }

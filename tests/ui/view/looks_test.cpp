@@ -233,6 +233,16 @@ TEST_F(PointLooksTest, HidesAndDimsContractedPointsAsTheyWereScanned) {
   EXPECT_GT(count(leftUp, accent), 5);
 }
 
+TEST_F(PointLooksTest, DrawsNoContractedPointWhereItWasScanned) {
+  const Color accent = palette(false).contracted;
+  auto places = std::make_shared<Eigen::Matrix3Xf>(cloud_->positions());
+  (*places)(2, static_cast<Eigen::Index>(1 - leftColumn_)) += 1; // the right one alone
+  view_.setContracted(places);
+  EXPECT_GT(count(right_ + Eigen::Vector3d(0, 0, 1), accent), 5);
+  EXPECT_EQ(count(left_, accent), 0);
+  EXPECT_GT(count(left_, test::plain), 5) << "it was left out, and is drawn as it was scanned";
+}
+
 TEST_F(PointLooksTest, ColorsPointsByValues) {
   view_.resize(600, 300); // the color bar lies beside the points
   std::vector<float> values(2, none);

@@ -21,6 +21,7 @@ namespace {
 
 constexpr double leastThickness = 5; // spacings of points that are left, across the thin wood
 constexpr Eigen::Index fewestTried = 2000;
+constexpr double leastGain = 0.01;          // of the share, by a half step: less may be chance
 constexpr Eigen::Index mostRated = 500'000; // that the ratings look at
 
 /// Some of the points of a plant, and what they are like.
@@ -70,8 +71,9 @@ public:
     if (best == rated) return isLeftOut; // the next ones would take longest, and gain least
     for (const double factor : {1 / std::numbers::sqrt2, std::numbers::sqrt2}) {
       Kept between = keptAt(best->spacing * factor, progress.part(0.9, 0.9));
+      if (!isEnough(between)) continue;
       const double found = shareRight(between, progress.part(0.9, 1));
-      if (found <= share) continue;
+      if (found <= share + leastGain) continue;
       share = found;
       isLeftOut = std::move(between.isLeftOut);
     }
@@ -80,6 +82,11 @@ public:
   }
 
 private:
+  /// Are there points enough, and some across the thin wood?
+  [[nodiscard]] static bool isEnough(const Kept& kept) {
+    return kept.points->size() >= fewestTried && kept.thickness() >= leastThickness;
+  }
+
   [[nodiscard]] Kept keptAt(double spacing, const Progress& progress) const {
     Kept kept{thinnedBySpacing(plant_->positions(), {.spacing = spacing}, progress), nullptr, {}};
     std::vector<Eigen::Index> left;
@@ -97,7 +104,7 @@ private:
     std::vector<Kept> tried{all_};
     for (double spacing = 2 * all_.scale.spacing;; spacing *= 2) {
       Kept kept = keptAt(spacing, progress.part(0, 0));
-      if (kept.points->size() < fewestTried || kept.thickness() < leastThickness) return tried;
+      if (!isEnough(kept)) return tried;
       tried.push_back(std::move(kept));
     }
   }

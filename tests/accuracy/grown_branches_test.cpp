@@ -53,7 +53,10 @@ TEST_F(GrownOnWalnut, WhatIsMissingTurnsBackNowhereAndKeepsToThePoints) {
 }
 
 TEST_F(GrownOnWalnut, EachClusterOfUnexplainedPointsMakesABranch) {
-  PipelineOptions cutting; // so that branches are missing
+  PipelineOptions cutting; // so that branches are missing; the same plant whatever the defaults
+  for (const char* setting : {"contract.radius=6.79075 spacings", "skeleton.neighbors=12",
+                              "skeleton.bin_width=5.52716 spacings", "join.widest=10 spacings"})
+    cutting.set(setting);
   cutting.set("prune.method=spurs");
   cutting.set("prune.length=30 spacings");
   plant_ = *Pipeline().run(cloud_, cutting).skeleton;

@@ -32,14 +32,10 @@ Course courseOf(const Skeleton& plant, const std::vector<NodeId>& added, const P
       course.sharpestTurn =
           std::max(course.sharpestTurn, turn(below.position - plant[*below.parent].position, edge));
     course.farthestNode = std::max(course.farthestNode, distance(node.position) - node.radius);
-    // What bears the branch lies where it does: from there on the points are to be met.
-    const double start = std::ranges::find(added, *node.parent) != added.end()
-                             ? below.radius
-                             : std::max(below.radius, distance(below.position));
     constexpr int parts = 10;
     for (int i = 1; i < parts; ++i) {
       const double share = static_cast<double>(i) / parts;
-      const double wood = start + share * (node.radius - start);
+      const double wood = below.radius + share * (node.radius - below.radius);
       course.farthestOnEdge =
           std::max(course.farthestOnEdge, distance(below.position + share * edge) - wood);
     }

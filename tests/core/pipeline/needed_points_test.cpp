@@ -35,7 +35,7 @@ const std::shared_ptr<const PointCloud>& denseGrass() {
     foliage.droop = 1;
     const Skeleton plant = growPlant(
         {.architecture = Architecture::herb, .height = 4, .segments = 1, .baseRadius = 0.05},
-        90'022);
+        90'021);
     return std::make_shared<const PointCloud>(test::labeledScanOf(plant, foliage, 100'000).cloud);
   }();
   return cloud;

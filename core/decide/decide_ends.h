@@ -11,7 +11,7 @@
 namespace espalier {
 
 struct EndOptions {
-  double leastProbability = 0.5;  // in [0, 1]: less probable ends go
+  double leastProbability = 0.55; // in [0, 1]: less probable ends go
   Length length = thicknesses(2); // [L] shorter ends go in any case
 };
 

@@ -169,9 +169,12 @@ std::vector<std::uint32_t> nearestStems(const Voxels& voxels, const Eigen::Matri
       joined(NeighborhoodGraph(places, options.neighbors, progress.part(0, 0.3)), places,
              static_cast<float>(options.widestGap), progress.part(0.3, 0.4));
   const std::vector<float> thickness =
-      woodThickness(voxels, points, places, graph, progress.part(0.4, 0.6));
+      woodThickness(voxels, points, places, graph, progress.part(0.4, 0.55));
   const std::vector<bool> isOwn =
-      areSure ? std::vector<bool>(stems.size(), true) : ownStems(graph, stems, thickness, options);
+      areSure ? std::vector<bool>(stems.size(), true)
+              : ownStems(graph, stems,
+                         fullThickness(thickness, places, voxels.edge(), progress.part(0.55, 0.6)),
+                         options);
   constexpr std::uint32_t open = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> stemOf(static_cast<std::size_t>(places.cols()), open);
   std::vector<Eigen::Index> sources;

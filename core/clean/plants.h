@@ -22,7 +22,7 @@ struct PlantsOptions {
   int neighbors = 8;                // links per place, >= 1
   WoodPathCosts costs;              // of paths, thinness in [0, 10], turn in [0, 1000]
   double leastStem = 0.15;          // of the places of the thickest stem; thinner ones are twigs
-  double oneWood = 0.78;    // of the thickness of the thinner stem: wood so thick all along is one
+  double oneWood = 0.7;     // of the thickness of the thinner stem: wood so thick all along is one
   double leastShare = 0.02; // of the points of the greatest; smaller ones are none
   GroundOptions ground;     // what the slab is measured from
 };
@@ -44,7 +44,7 @@ struct PlantParts {
 /// points, along the links of the nearest and over gaps: wood gets thinner outwards and goes on
 /// straight, so thin wood and turns are dear, and a branch that a twig of another plant touches
 /// stays with its own (wood_paths.h). A stem from which wood leads to a thicker one that is nowhere
-/// thinner is a branch that reaches the ground; crowns that touch do so in thin twigs.
+/// thinner is a branch that reaches the ground; crowns touch in wood that is thinner than trunks.
 ///
 /// @param points  3 x N, z up, of plants alone [L]
 /// @param heights of the points above the ground [L]; those below zero are of no plant

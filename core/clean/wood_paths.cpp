@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace espalier {
 namespace {
@@ -55,6 +56,34 @@ std::vector<float> woodThickness(const Voxels& voxels, const Eigen::Matrix3Xf& p
             static_cast<float>(std::sqrt(std::max(0.0, spread[0]) + std::max(0.0, spread[1])));
       },
       progress);
+  return thickness;
+}
+
+std::vector<float> fullThickness(std::vector<float> thickness, const Eigen::Matrix3Xf& means,
+                                 double edge, const Progress& progress) {
+  constexpr int levels = 6;
+  constexpr int links = 8;
+  constexpr double full = 0.7; // cubes; of a cylinder as thick as a cube, its surface is a disc
+  std::vector<std::uint32_t> cubeOf(thickness.size());
+  std::iota(cubeOf.begin(), cubeOf.end(), 0U);
+  Eigen::Matrix3Xf finer = means;
+  for (int level = 1; level < levels; ++level, edge *= 2) {
+    const auto isFull = [&](float thick) { return static_cast<double>(thick) > full * edge; };
+    if (std::ranges::none_of(thickness, isFull)) break;
+    const Progress part = progress.part(1 - 1.0 / level, 1 - 1.0 / (level + 1));
+    const Voxels coarse(finer, 2 * edge, part.part(0, 0.2));
+    const Eigen::Matrix3Xf places = coarse.means(finer, part.part(0.2, 0.3));
+    if (places.cols() <= 2 * links) break;
+    const std::vector<float> wider =
+        woodThickness(coarse, finer, places, NeighborhoodGraph(places, links, part.part(0.3, 0.5)),
+                      part.part(0.5, 1));
+    const std::vector<std::uint32_t> into = coarse.ofPoints();
+    for (std::size_t i = 0; i < thickness.size(); ++i) {
+      cubeOf[i] = into[cubeOf[i]];
+      if (isFull(thickness[i])) thickness[i] = std::max(thickness[i], wider[cubeOf[i]]);
+    }
+    finer = places;
+  }
   return thickness;
 }
 

@@ -22,6 +22,16 @@ namespace espalier {
                                                const NeighborhoodGraph& graph,
                                                const Progress& progress = {});
 
+/// The same of wood thicker than a cube, too: where it fills a cube, it is measured over cubes
+/// twice as wide, and so on.
+///
+/// @param thickness  by woodThickness(), at the means of cubes of this edge [L]
+/// @throws Cancelled if `progress` asks to stop
+/// Deterministic. Time O(N log N) on all threads.
+[[nodiscard]] std::vector<float> fullThickness(std::vector<float> thickness,
+                                               const Eigen::Matrix3Xf& means, double edge,
+                                               const Progress& progress = {});
+
 /// What makes a path along wood long.
 struct WoodPathCosts {
   double power = 2;    // a link costs its length to this, >= 1

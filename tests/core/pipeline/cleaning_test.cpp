@@ -105,6 +105,14 @@ TEST(Cleaning, OfAPlotWhoseCrownsTouchLeavesBranchesToTheirPlants) {
   EXPECT_LT(sharesRight(crowded, cutPlot(crowded.cloud, {}, byLength)).first, 0.99);
 }
 
+// Their branches are thicker than a cube of points where they touch, and thinner than the trunks.
+TEST(Cleaning, OfAPlotWhoseThickBranchesTouchTakesNoTrunkForABranch) {
+  const Plot crowded(9, 100'000, 4, 0.5);
+  const CutPlot cut = cutPlot(crowded.cloud, {}, plotPreset());
+  EXPECT_EQ(cut.plants.size(), 4U);
+  EXPECT_GE(sharesRight(crowded, cut).first, 0.95);
+}
+
 TEST(Cleaning, OfAPlotThatScattersWideLeavesOutItsGround) {
   const Plot noisy(7, 200'000, 3, 1, 0.02);
   const CutPlot cut = cutPlot(noisy.cloud, {}, plotPreset());

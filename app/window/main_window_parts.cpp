@@ -200,9 +200,10 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
   connect(&findings, &FindingsFlow::limitsChanged, &explained, &ExplainedFlow::takeLimits);
   connect(&findings, &FindingsFlow::limitsChanged, &parts_.get<ExpectedErrorsFlow>(),
           &ExpectedErrorsFlow::findAnew);
-  auto& doubts = parts_.make<DoubtsFlow>(
-      DoubtsFlow::Parts{document_, queue_, distances, [&findings] { return findings.limits(); },
-                        [this] { return parts_.get<ReviewFlow>().reviewer(); }});
+  auto& doubts = parts_.make<DoubtsFlow>(DoubtsFlow::Parts{
+      document_, queue_, distances, [&findings] { return findings.limits(); },
+      [this] { return parts_.get<ReviewFlow>().reviewer(); },
+      [this](const std::string& name) { parts_.get<ProjectFlow>().writeNow(name); }});
   parts_.make<AskingFlow>(
       AskingFlow::Parts{document_, *view_, *actions_, editing, doubts, settings_, *this, reveal()});
   parts_.make<HiddenPoints>(
@@ -336,7 +337,7 @@ void MainWindow::joinReview() {
   connect(&seals, &SealFlow::changed, &review, showSeal);
   connect(&seals, &SealFlow::signerChanged, &review, &ReviewFlow::setReviewer);
   connect(&review, &ReviewFlow::reviewerChanged, &seals, &SealFlow::setSigner);
-  connect((*actions_)["shortcuts"], &QAction::triggered, &parts_.get<AskingFlow>(),
+  connect(&parts_.get<HelpFlow>(), &HelpFlow::keysAsked, &parts_.get<AskingFlow>(),
           &AskingFlow::stopAsking); // which has keys of others
   connect(&editing, &Editing::hintChanged, &review,
           [&review, &editing] { review.setInGesture(editing.isPending()); });

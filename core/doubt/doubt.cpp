@@ -15,22 +15,10 @@ void goOnAt(SkeletonEditor& editor, NodeId id) {
     setEdgeType(editor, children.front(), EdgeType::successor);
 }
 
-const Alternative* addedIn(const Doubt& doubt) {
-  const auto found = std::ranges::find(doubt.alternatives, Alternative::Kind::add,
-                                       [](const Alternative& one) { return one.kind; });
-  return found == doubt.alternatives.end() ? nullptr : &*found;
-}
-
 /// Whether the place that a branch would be added to is one of the plant still: the node, or the
 /// edge below it.
 bool hasPlaceOf(const GrownBranch& branch, const Skeleton& before, const Skeleton& now) {
   return branch.fraction == 1 || before[branch.on].parent == now[branch.on].parent;
-}
-
-/// Where a branch that would be added begins and ends, in the order of its nodes.
-std::pair<Eigen::Vector3d, Eigen::Vector3d> endsOf(const GrownBranch& branch) {
-  const std::vector<NodeId> ids = branch.part.ids();
-  return {branch.part[ids.front()].position, branch.part[ids.back()].position};
 }
 
 } // namespace
@@ -61,13 +49,21 @@ std::string nameOf(Alternative::Kind kind) {
   return {};
 }
 
+std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> endsOfAdded(const Doubt& doubt) {
+  const auto added = std::ranges::find(doubt.alternatives, Alternative::Kind::add,
+                                       [](const Alternative& one) { return one.kind; });
+  if (added == doubt.alternatives.end()) return std::nullopt;
+  const Skeleton& part = added->branch->part;
+  const std::vector<NodeId> ids = part.ids();
+  return std::pair(part[ids.front()].position, part[ids.back()].position);
+}
+
 bool isSame(const Doubt& a, const Doubt& b, double near) {
-  const Alternative* branchOfA = addedIn(a);
-  const Alternative* branchOfB = addedIn(b);
-  if (!branchOfA || !branchOfB) return !branchOfA && !branchOfB && a.node == b.node;
-  const auto [beginA, endA] = endsOf(*branchOfA->branch);
-  const auto [beginB, endB] = endsOf(*branchOfB->branch);
-  return (beginA - beginB).norm() <= near && (endA - endB).norm() <= near;
+  const auto endsOfA = endsOfAdded(a);
+  const auto endsOfB = endsOfAdded(b);
+  if (!endsOfA || !endsOfB) return !endsOfA && !endsOfB && a.node == b.node;
+  return (endsOfA->first - endsOfB->first).norm() <= near &&
+         (endsOfA->second - endsOfB->second).norm() <= near;
 }
 
 bool isThere(const Doubt& doubt, const Skeleton& skeleton) {
@@ -119,31 +115,34 @@ void settle(SkeletonEditor& editor, const Doubt& doubt, const Alternative& alter
                           .reviewer = *reviewer});
 }
 
-std::size_t decideByOdds(SkeletonEditor& editor, const std::vector<Doubt>& doubts, double least) {
+std::vector<std::size_t> decideByOdds(SkeletonEditor& editor, const std::vector<Doubt>& doubts,
+                                      double least) {
   using Kind = Alternative::Kind;
-  std::size_t changed = 0;
+  std::vector<std::size_t> changed;
   const Skeleton before = editor.skeleton();
   std::vector<GrownBranch> added;
   // What goes first, so that nothing is attached to it; what is new last and all at once, as the
   // places on edges are those of now.
   for (const Kind kind : {Kind::remove, Kind::attach, Kind::add})
-    for (const Doubt& doubt : doubts) {
+    for (std::size_t i = 0; i < doubts.size(); ++i) {
+      const Doubt& doubt = doubts[i];
       const Alternative& likeliest = doubt.alternatives.front();
       if (likeliest.kind != kind || likeliest.probability < least) continue;
       if (!isThere(doubt, editor.skeleton())) continue;
       if (kind == Kind::add) {
         if (!hasPlaceOf(*likeliest.branch, before, editor.skeleton())) continue;
         added.push_back(*likeliest.branch);
-        ++changed;
+        changed.push_back(i);
         continue;
       }
       const std::optional<NodeId> foot = editor.skeleton()[doubt.node].parent;
       const bool isLast = foot && editor.skeleton().children(*foot).size() == 1;
       if (kind == Kind::remove && isLast) continue; // of the ends at one foot one stays
       settle(editor, doubt, likeliest, std::nullopt);
-      ++changed;
+      changed.push_back(i);
     }
   if (!added.empty()) static_cast<void>(addGrown(editor, added));
+  std::ranges::sort(changed);
   return changed;
 }
 

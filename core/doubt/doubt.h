@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace espalier {
@@ -51,6 +52,10 @@ inline constexpr int doubtKinds = 3;
 /// "as_it_is", "remove", "attach", "add"
 [[nodiscard]] std::string nameOf(Alternative::Kind kind);
 
+/// Where the branch that one of its alternatives adds begins and ends [L]; none: none adds one.
+[[nodiscard]] std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>>
+endsOfAdded(const Doubt& doubt);
+
 /// Are two doubts, before and after some edit, one to a person? Those about the same wood, and
 /// about branches that would begin and end at the same places within `near` [L].
 [[nodiscard]] bool isSame(const Doubt& a, const Doubt& b, double near);
@@ -73,8 +78,9 @@ inline constexpr double surelyOtherwise = 0.8;
 /// present is the most probable, and by `least` or more, that. Of the ends at one foot one stays.
 /// Nothing is marked.
 /// @param least  in [0, 1]
-/// @return how many changed it; those that other changes have made void are passed over
-std::size_t decideByOdds(SkeletonEditor& editor, const std::vector<Doubt>& doubts,
-                         double least = surelyOtherwise);
+/// @return those that changed it, by their number, ascending; what other changes have made void is
+/// passed over
+std::vector<std::size_t> decideByOdds(SkeletonEditor& editor, const std::vector<Doubt>& doubts,
+                                      double least = surelyOtherwise);
 
 } // namespace espalier

@@ -71,7 +71,7 @@ bool Interview::askNext(const Progress& progress) {
 
 void Interview::decideRest(const Progress& progress) {
   SkeletonEditor editor(plant_);
-  changes_ += decideByOdds(editor, doubts_);
+  changes_ += decideByOdds(editor, doubts_).size();
   distances_.update(plant_, editor.commit());
   find(progress);
 }

@@ -22,6 +22,10 @@ double lengthTerm(double spacings) {
   return std::log((spacings + 1) / usualLength);
 }
 
+double spacingsOf(const Doubt& doubt, double spacing) {
+  return spacing > 0 ? doubt.length / spacing : usualLength - 1;
+}
+
 double sigmoid(double value) {
   return 1 / (1 + std::exp(-value));
 }
@@ -64,7 +68,7 @@ std::vector<Doubt> LearnedOdds::adjusted(std::vector<Doubt> doubts, double spaci
     const Moved& moved = moved_[static_cast<std::size_t>(doubt.kind)];
     const double said = doubt.wrong();
     const double wrong = sigmoid(logOdds(said) + moved.constant +
-                                 moved.perLength * lengthTerm(doubt.length / spacing));
+                                 moved.perLength * lengthTerm(spacingsOf(doubt, spacing)));
     for (std::size_t i = 0; i < doubt.alternatives.size(); ++i)
       doubt.alternatives[i].probability =
           i == doubt.present ? 1 - wrong : doubt.alternatives[i].probability * wrong / said;
@@ -82,7 +86,7 @@ std::vector<Doubt> LearnedOdds::adjusted(std::vector<Doubt> doubts, double spaci
 LearnedAnswer learnedFrom(const Doubt& doubt, bool wasWrong, double spacing) {
   return {.kind = doubt.kind,
           .said = doubt.wrong(),
-          .spacings = doubt.length / spacing,
+          .spacings = spacingsOf(doubt, spacing),
           .wasWrong = wasWrong};
 }
 

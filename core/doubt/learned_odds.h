@@ -11,7 +11,7 @@ namespace espalier {
 struct LearnedAnswer {
   Doubt::Kind kind = Doubt::Kind::end;
   double said = 0;       // in (0, 1): how probably the plant was wrong there, as fitted
-  double spacings = 0;   // long the wood in doubt is
+  double spacings = 0;   // long the wood in doubt is; where there is no spacing, as is usual
   bool wasWrong = false; // the plant, as it was
 
   bool operator==(const LearnedAnswer&) const = default;
@@ -35,7 +35,7 @@ public:
 
   /// The doubts with odds as they are learned, by their gain anew.
   /// @param doubts  with odds as they were fitted
-  /// @param spacing of the points [L], > 0
+  /// @param spacing of the points [L]; 0: none is known, and all wood counts as of usual length
   [[nodiscard]] std::vector<Doubt> adjusted(std::vector<Doubt> doubts, double spacing) const;
 
 private:
@@ -49,7 +49,8 @@ private:
   std::array<Moved, doubtKinds> moved_;
 };
 
-/// What an answer teaches. pre: the odds of the doubt are as they were fitted
+/// What an answer teaches; the spacing as in adjusted(). pre: the odds of the doubt are as they
+/// were fitted
 [[nodiscard]] LearnedAnswer learnedFrom(const Doubt& doubt, bool wasWrong, double spacing);
 
 } // namespace espalier

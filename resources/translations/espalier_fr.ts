@@ -3172,8 +3172,28 @@
         <translation>Corrigez-le avec n’importe quel outil   {skip_doubt} continue   {take_back_answer} retire   {leave} termine</translation>
     </message>
     <message>
-        <source>{answer_none} none   {skip_doubt} skip   {take_back_answer} back</source>
-        <translation>{answer_none} aucune   {skip_doubt} passer   {take_back_answer} retirer</translation>
+        <source>all points of the scan lie at one place: nothing follows from them that could be asked about</source>
+        <translation>tous les points du scan sont au même endroit&#xa0;: rien n’en résulte sur quoi interroger</translation>
+    </message>
+    <message>
+        <source>All points of the scan lie at one place: nothing can be asked about</source>
+        <translation>Tous les points du scan sont au même endroit&#xa0;: il n’y a rien sur quoi interroger</translation>
+    </message>
+    <message>
+        <source>The search for doubts did not end: %1.</source>
+        <translation>La recherche de doutes n’a pas abouti&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>{ask_doubts} searches again</source>
+        <translation>{ask_doubts} cherche de nouveau</translation>
+    </message>
+    <message>
+        <source>Looking for doubts…   {leave} ends</source>
+        <translation>Recherche de doutes…   {leave} termine</translation>
+    </message>
+    <message>
+        <source>{answer_none} none   {skip_doubt} skip   {take_back_answer} back   {leave} ends</source>
+        <translation>{answer_none} aucune   {skip_doubt} passer   {take_back_answer} revenir   {leave} terminer</translation>
     </message>
 </context>
 <context>
@@ -3958,6 +3978,10 @@
         <source>Decide by odds</source>
         <translation>Décider par les probabilités</translation>
     </message>
+    <message>
+        <source>it was stopped</source>
+        <translation>elle a été arrêtée</translation>
+    </message>
 </context>
 <context>
     <name>espalier::DoubtsPanel</name>
@@ -4008,6 +4032,10 @@
     <message>
         <source>%1  %2 · %3</source>
         <translation>%1  %2 · %3</translation>
+    </message>
+    <message>
+        <source>Of the plant before the last edits: it is computed anew</source>
+        <translation>De la plante avant les dernières modifications&#xa0;: la part est recalculée</translation>
     </message>
 </context>
 <context>

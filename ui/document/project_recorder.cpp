@@ -36,6 +36,17 @@ void ProjectRecorder::noteChange() {
   if (project_) pause_.start();
 }
 
+void ProjectRecorder::writeNow(const std::string& name) {
+  if (!project_) return;
+  save();
+  if (isBehind_) return;
+  try { // as in save()
+    saveText(name);
+  } catch (const Error& error) {
+    emit failed(shownText(error));
+  }
+}
+
 void ProjectRecorder::start(std::unique_ptr<Project> project) {
   project_ = std::move(project);
   saved_.clear();

@@ -35,6 +35,8 @@ public:
   void keep(const std::string& name, std::function<std::string()> text);
   /// A text may have changed.
   void noteChange();
+  /// Writes a text that is kept at once, with all steps that wait.
+  void writeNow(const std::string& name);
 
   /// Keeps `project` up to date from here on. pre: its history and texts are those now
   void start(std::unique_ptr<Project> project);

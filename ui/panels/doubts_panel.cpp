@@ -90,7 +90,7 @@ DoubtsPanel::DoubtsPanel(const PlantDocument& document, const Actions& actions, 
   column->addWidget(list_, 1);
   column->addWidget(sharingButton(*actions.decideRest));
   show({}, 0);
-  showAgreement({});
+  showAgreement({}, true);
   showNote({});
   setCurrent(std::nullopt, false);
 }
@@ -130,8 +130,11 @@ void DoubtsPanel::addGroup(Doubt::Kind kind) {
   group->setExpanded(true);
 }
 
-void DoubtsPanel::showAgreement(const QString& text) {
+void DoubtsPanel::showAgreement(const QString& text, bool isOfNow) {
   agreement_->setText(text);
+  agreement_->setEnabled(isOfNow);
+  agreement_->setToolTip(isOfNow ? QString()
+                                 : tr("Of the plant before the last edits: it is computed anew"));
   agreement_->setVisible(!text.isEmpty());
 }
 

@@ -37,8 +37,10 @@ public:
 
   /// The doubts that are still to be asked, as many of them as a person looks at.
   void show(const std::vector<Doubt>& doubts, std::size_t all);
-  void showAgreement(const QString& text); // how much is right; empty: it is not known
-  void showNote(const QString& text);      // why there are none, or that they are looked for
+  /// @param text    how much is right; empty: it is not known
+  /// @param isOfNow else it is of the plant before the last edits, and is grey
+  void showAgreement(const QString& text, bool isOfNow);
+  void showNote(const QString& text); // why there are none, or that they are looked for
   /// @param doubt    that is asked about; none: nothing is
   /// @param isByHand no alternative was right: it is corrected with a tool
   void setCurrent(const std::optional<Doubt>& doubt, bool isByHand);

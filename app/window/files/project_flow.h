@@ -74,6 +74,8 @@ public:
 
   /// Keeps what a part wants kept beside the plant. What is thrown as an Error is reported.
   void keep(const WindowPart& part);
+  /// Writes what is kept under a name at once, instead of when there is a pause.
+  void writeNow(const std::string& name) { recorder_.writeNow(name); }
 
   /// Keeps the scan in the project itself, or no longer; as a job. It is not taken out of there
   /// unless its file is found.

@@ -102,7 +102,10 @@ void HelpFlow::addActions() {
                .help = tr("Shows all keys on one sheet"),
                .icon = "keyboard",
                .keys = QKeySequence(Qt::Key_Question)},
-              [this] { (new ShortcutSheet(*keys_, &parts_.window))->show(); });
+              [this] {
+                emit keysAsked();
+                (new ShortcutSheet(*keys_, &parts_.window))->show();
+              });
   actions.add({.id = "about",
                .text = tr("About Espalier"),
                .help = tr("Its version and license, and those of all libraries")},

@@ -36,6 +36,9 @@ public:
   /// Where the manual would open now.
   [[nodiscard]] QString manualPlace() const;
 
+signals:
+  void keysAsked(); // before they are shown
+
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override; // F1 in dialogs, which have no menu
 

@@ -27,6 +27,16 @@ StepId stepIn(const QJsonValue& value) {
   return StepId(id);
 }
 
+Eigen::Vector3d placeIn(const QJsonValue& value) {
+  const QJsonArray place = value.toArray();
+  if (place.size() != 3) refuse();
+  return {numberIn(place[0]), numberIn(place[1]), numberIn(place[2])};
+}
+
+QJsonArray jsonOf(const Eigen::Vector3d& place) {
+  return {place.x(), place.y(), place.z()};
+}
+
 AnsweredDoubt answeredIn(const QJsonObject& json) {
   AnsweredDoubt answered{.kind = doubtKindNamed(json["kind"].toString()),
                          .node = nodeIn(json["node"]),
@@ -39,24 +49,20 @@ AnsweredDoubt answeredIn(const QJsonObject& json) {
       answered.learned.said >= 0 && answered.learned.said <= 1 && answered.learned.spacings >= 0;
   if (!isInRange) refuse();
   if (answered.kind != Doubt::Kind::missing) return answered;
-  const QJsonArray tip = json["tip"].toArray();
-  if (tip.size() != 3) refuse();
-  answered.tip = {numberIn(tip[0]), numberIn(tip[1]), numberIn(tip[2])};
+  answered.tip = placeIn(json["tip"]);
+  if (json.contains("foot")) answered.foot = placeIn(json["foot"]);
   return answered;
 }
 
 } // namespace
 
-Eigen::Vector3d tipOf(const Doubt& doubt) {
-  for (const Alternative& one : doubt.alternatives)
-    if (one.branch) return one.branch->part[one.branch->part.ids().back()].position;
-  return Eigen::Vector3d::Zero();
-}
-
 bool isAbout(const AnsweredDoubt& answered, const Doubt& doubt, double near) {
   const bool isMissing = doubt.kind == Doubt::Kind::missing;
   if (isMissing != (answered.kind == Doubt::Kind::missing)) return false;
-  return isMissing ? (answered.tip - tipOf(doubt)).norm() <= near : answered.node == doubt.node;
+  if (!isMissing) return answered.node == doubt.node;
+  const auto ends = endsOfAdded(doubt);
+  return ends && (answered.tip - ends->second).norm() <= near &&
+         (!answered.foot || (*answered.foot - ends->first).norm() <= near);
 }
 
 std::string textOf(const std::vector<AnsweredDoubt>& answered) {
@@ -69,8 +75,8 @@ std::string textOf(const std::vector<AnsweredDoubt>& answered) {
                      {"spacings", one.learned.spacings},
                      {"wrong", one.learned.wasWrong},
                      {"step", QString::number(static_cast<qulonglong>(one.step))}};
-    if (one.kind == Doubt::Kind::missing)
-      json["tip"] = QJsonArray{one.tip.x(), one.tip.y(), one.tip.z()};
+    if (one.kind == Doubt::Kind::missing) json["tip"] = jsonOf(one.tip);
+    if (one.foot) json["foot"] = jsonOf(*one.foot);
     all.append(json);
   }
   return QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString();

@@ -3,6 +3,7 @@
 #include "core/doubt/learned_odds.h"
 #include "core/project/history.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,21 +14,19 @@ struct AnsweredDoubt {
   Doubt::Kind kind = Doubt::Kind::end;
   NodeId node{};                                 // as of the doubt
   Eigen::Vector3d tip = Eigen::Vector3d::Zero(); // of a branch that would be added [L]
+  std::optional<Eigen::Vector3d> foot = {};      // of that; none: older projects do not have it
   LearnedAnswer learned = {};                    // of the same kind
   StepId step = {};                              // that made the answer; 0: it changed nothing
 
   bool operator==(const AnsweredDoubt&) const = default;
 };
 
-/// Whether an answer is about a doubt; of branches that would be added, one whose tip is within
-/// `near` [L].
+/// Whether an answer is about a doubt; of branches that would be added, one whose foot and tip are
+/// within `near` [L].
 [[nodiscard]] bool isAbout(const AnsweredDoubt& answered, const Doubt& doubt, double near);
 
-/// The tip of the branch that a doubt would add, else 0 [L].
-[[nodiscard]] Eigen::Vector3d tipOf(const Doubt& doubt);
-
 /// Answers as a project keeps them: [{"kind": "end", "node": 12, "said": 0.4, "spacings": 8.5,
-/// "wrong": true, "step": "31"}]; of what is missing with "tip": [x, y, z]. Empty: none.
+/// "wrong": true, "step": "31"}]; of what is missing with "tip" and "foot": [x, y, z]. Empty: none.
 [[nodiscard]] std::string textOf(const std::vector<AnsweredDoubt>& answered);
 
 /// Of an empty text, none.

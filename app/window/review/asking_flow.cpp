@@ -27,6 +27,12 @@ namespace {
 constexpr int mostAnswers = 4;
 constexpr std::size_t mostListed = 200; // that a person looks at
 
+/// Whether a change is of more of the wood than its radius.
+bool changesCourse(SkeletonDelta::Change change) {
+  if (change.before && change.after) change.before->radius = change.after->radius;
+  return changesWood(change);
+}
+
 } // namespace
 
 AskingFlow::AskingFlow(Parts parts) : parts_(std::move(parts)) {
@@ -112,8 +118,7 @@ void AskingFlow::connectParts() {
   connect(panel_, &DoubtsPanel::chosen, this, [this](const Doubt& doubt) {
     if (!parts_.actions["ask_doubts"]->isEnabled()) return;
     const auto act = [&] {
-      if (!isAsking_) begin();
-      if (isThere(doubt, parts_.document.skeleton())) goTo(doubt);
+      begin(doubt);
       return true;
     };
     parts_.actions.guarded(act, Refusal::inBanner);
@@ -156,18 +161,26 @@ void AskingFlow::refreshEnabled() {
   parts_.actions["answer_none"]->setEnabled(isAsking_ && isPossible && current_ && !isByHand_);
 }
 
-void AskingFlow::begin() {
+void AskingFlow::begin(const std::optional<Doubt>& first) {
   if (parts_.document.scan() == nullptr)
     throw Error(tr("doubts follow from the points: open a scan first").toStdString());
+  if (!parts_.doubts.hasSpacing())
+    throw Error(tr("all points of the scan lie at one place: nothing follows from them that could "
+                   "be asked about")
+                    .toStdString());
   parts_.document.requireEditable();
-  dock_->bringToFront();
-  isAsking_ = true;
-  isRestShown_ = false;
-  skipped_.clear();
-  borrowKeys();
-  parts_.doubts.setWanted(DoubtsFlow::Use::asking, true);
-  refreshEnabled();
-  goOn();
+  if (!isAsking_) {
+    dock_->bringToFront();
+    isAsking_ = true;
+    isRestShown_ = false;
+    skipped_.clear();
+    borrowKeys();
+    parts_.doubts.setWanted(DoubtsFlow::Use::asking, true);
+    parts_.doubts.findAgain();
+    refreshEnabled();
+  }
+  if (first && isThere(*first, parts_.document.skeleton())) return goTo(*first);
+  if (!first || !current_) goOn();
 }
 
 /// For doubts that are looked for.
@@ -232,13 +245,20 @@ void AskingFlow::goOn() {
   if (next != doubts.end()) return goTo(*next);
   if (parts_.doubts.isBusy()) return wait();
   stopAsking();
-  emit noted(tr("Nothing is in doubt any more"));
+  if (!parts_.doubts.failure().isEmpty())
+    emit failed(noteText());
+  else
+    emit noted(tr("Nothing is in doubt any more"));
 }
 
 void AskingFlow::goTo(const Doubt& doubt) {
+  const Skeleton& skeleton = parts_.document.skeleton();
   current_ = doubt;
   taught_ = parts_.doubts.learnedOf(doubt);
   stepBefore_ = lastStep();
+  foot_ = skeleton[doubt.node].parent;
+  idEnd_ = skeleton.idEnd();
+  editEnds_.stop();
   isByHand_ = false;
   isAwaited_ = false;
   isRestShown_ = false;
@@ -255,7 +275,7 @@ void AskingFlow::goTo(const Doubt& doubt) {
 void AskingFlow::draw() {
   const Skeleton& skeleton = parts_.document.skeleton();
   if (isRestShown_)
-    parts_.view.showGhosts(ghostsOfRest(skeleton, parts_.doubts.doubts()));
+    parts_.view.showGhosts(ghostsOfLikeliest(skeleton, parts_.doubts.decidedByOdds()));
   else if (current_ && !isByHand_)
     parts_.view.showGhosts(ghostsOf(skeleton, *current_));
   else
@@ -322,17 +342,17 @@ StepId AskingFlow::lastStep() const {
   return index > 0 ? parts_.document.step(index - 1).id : StepId{};
 }
 
-/// Any edit of the wood that is asked about answers it, once it is done.
+/// Any edit of the wood that is asked about, of more than its radii, answers once it is done.
 void AskingFlow::noteEdit(const SkeletonDelta& delta) {
   if (isRestShown_) stopAsking();
   if (!isAsking_ || isOwnEdit_ || !current_) return;
   const bool isOfIt =
       std::ranges::any_of(delta.changes, [this](const SkeletonDelta::Change& change) {
-        return changesWood(change) &&
-               (change.id == current_->node ||
-                std::ranges::find(current_->nodes, change.id) != current_->nodes.end());
+        return changesCourse(change) &&
+               std::ranges::find(current_->nodes, change.id) != current_->nodes.end();
       });
   if (!isOfIt && isThere(*current_, parts_.document.skeleton())) return;
+  isWoodEdited_ = isOfIt || (isWoodEdited_ && editEnds_.isActive());
   parts_.view.showGhosts({}); // they are of the wood as it was
   for (QAction* answer : answers_)
     answer->setEnabled(false);
@@ -346,24 +366,35 @@ void AskingFlow::takeEdit() {
   const QUndoStack& stack = parts_.document.undoStack();
   const bool isNewStep = stack.index() == stack.count() && lastStep() != stepBefore_ &&
                          parts_.document.isDone(lastStep());
-  const bool isAnswer =
-      isNewStep && (stepBefore_ == StepId{} || parts_.document.isDone(stepBefore_));
+  const bool isAnswer = isNewStep && isWoodEdited_ &&
+                        (stepBefore_ == StepId{} || parts_.document.isDone(stepBefore_));
   if (isByHand_) return; // one goes on by a key
   const Doubt doubt = *current_;
+  const bool wasWrong = isMadeOtherwise();
   current_.reset();
   if (isAnswer) {
-    parts_.doubts.takeEdit(doubt, taught_);
+    parts_.doubts.takeEdit(doubt, taught_, wasWrong);
     asked_.push_back(doubt);
   }
   goOn();
 }
 
+bool AskingFlow::isMadeOtherwise() const {
+  const Skeleton& skeleton = parts_.document.skeleton();
+  std::vector<NodeId> left = current_->nodes;
+  std::erase_if(left, [&](NodeId id) { return !skeleton.contains(id); });
+  if (2 * left.size() < current_->nodes.size() || left.empty()) return true;
+  std::optional<NodeId> foot = skeleton[left.front()].parent;
+  while (foot && indexOf(*foot) >= idEnd_) // nodes that were put between
+    foot = skeleton[*foot].parent;
+  return foot != foot_;
+}
+
 void AskingFlow::decideRest() {
   if (isAsking_) stopAsking();
-  const auto changes = std::ranges::count_if(parts_.doubts.doubts(), [](const Doubt& doubt) {
-    return doubt.present != 0 && doubt.alternatives.front().probability >= surelyOtherwise;
-  });
+  const std::size_t changes = parts_.doubts.decidedByOdds().size();
   if (changes == 0) {
+    if (isRestShown_) stopAsking();
     emit noted(parts_.doubts.isBusy() ? tr("Looking for doubts…")
                                       : tr("The odds would change nothing of what is left"));
     return;
@@ -376,7 +407,7 @@ void AskingFlow::decideRest() {
     emit noted(changes == 1
                    ? tr("1 change is shown: the same command makes it, Esc drops it")
                    : tr("%1 changes are shown: the same command makes them, Esc drops them")
-                         .arg(formatCount(static_cast<std::size_t>(changes))));
+                         .arg(formatCount(changes)));
     emit hintChanged();
     return;
   }
@@ -394,9 +425,19 @@ void AskingFlow::followDoubts() {
   if (dock_->isShown()) panelTimer_.start(0);
   refreshEnabled();
   if (isRestShown_) draw();
-  if (!isAsking_ || isOwnEdit_ || editEnds_.isActive() || parts_.doubts.isBusy()) return;
+  if (!isAsking_ || isOwnEdit_) return;
+  if (current_ && isByHand_ && !parts_.doubts.isAnswered(*current_)) return askAgain();
+  if (editEnds_.isActive() || parts_.doubts.isBusy()) return;
   const bool isSettled = current_ && !isByHand_ && !parts_.doubts.isListed(*current_);
   if (isSettled || std::exchange(isAwaited_, false)) goOn(); // it was marked, or drawn by hand
+}
+
+void AskingFlow::askAgain() {
+  std::erase_if(asked_, [this](const Doubt& one) { return isSame(one, *current_, 0); });
+  const Doubt doubt = *current_;
+  if (isThere(doubt, parts_.document.skeleton())) return goTo(doubt);
+  current_.reset();
+  goOn();
 }
 
 void AskingFlow::refreshPanel() {
@@ -404,7 +445,9 @@ void AskingFlow::refreshPanel() {
   const std::size_t all = doubts.size();
   if (doubts.size() > mostListed) doubts.resize(mostListed);
   panel_->show(doubts, all);
-  panel_->showAgreement(agreementText());
+  const bool isOfNow = !parts_.doubts.isBusy();
+  if (isOfNow) agreement_ = agreementText();
+  panel_->showAgreement(agreement_, isOfNow);
   panel_->showNote(noteText());
 }
 
@@ -430,6 +473,11 @@ QString AskingFlow::agreementText() const {
 QString AskingFlow::noteText() const {
   if (parts_.document.skeleton().isEmpty()) return tr("There is no skeleton to ask about yet");
   if (parts_.document.scan() == nullptr) return tr("Open a scan: doubts follow from its points");
+  if (!parts_.doubts.hasSpacing())
+    return tr("All points of the scan lie at one place: nothing can be asked about");
+  if (!parts_.doubts.failure().isEmpty())
+    return tr("The search for doubts did not end: %1.").arg(parts_.doubts.failure()) + ' ' +
+           withKeys(tr("{ask_doubts} searches again"), parts_.actions);
   if (parts_.doubts.isBusy()) return tr("Looking for doubts…");
   if (parts_.doubts.isKnown() && parts_.doubts.doubts().empty()) return tr("Nothing is in doubt");
   return parts_.doubts.doubts().size() > mostListed ? tr("The first %1 are listed").arg(mostListed)
@@ -445,12 +493,13 @@ QString AskingFlow::hint() const {
     return withKeys(tr("Correct it with any tool   {skip_doubt} goes on   {take_back_answer} takes "
                        "back   {leave} ends"),
                     parts_.actions);
-  if (!current_) return tr("Looking for doubts…");
+  if (!current_) return withKeys(tr("Looking for doubts…   {leave} ends"), parts_.actions);
   QStringList parts;
   for (std::size_t i = 0; i < current_->alternatives.size(); ++i)
     parts.append(QString("%1 %2").arg(i + 1).arg(textOf(*current_, current_->alternatives[i])));
-  parts.append(withKeys(tr("{answer_none} none   {skip_doubt} skip   {take_back_answer} back"),
-                        parts_.actions));
+  parts.append(withKeys(
+      tr("{answer_none} none   {skip_doubt} skip   {take_back_answer} back   {leave} ends"),
+      parts_.actions));
   return parts.join("   ");
 }
 

@@ -57,7 +57,7 @@ private:
   void addActions();
   void makePanel();
   void connectParts();
-  void begin();
+  void begin(const std::optional<Doubt>& first = {}); // none: what matters most
   void borrowKeys();
   void giveKeysBack();
   void goOn(); // to the next doubt
@@ -71,8 +71,11 @@ private:
   void decideRest();
   void wait();
   void followDoubts();
+  void askAgain(); // what was to be corrected by hand, once that is undone
   void noteEdit(const SkeletonDelta& delta);
   void takeEdit();
+  /// Whether the wood that is asked about is gone, for the most part, or grows from other wood now.
+  [[nodiscard]] bool isMadeOtherwise() const;
   [[nodiscard]] StepId lastStep() const; // that is done; 0: none
   void refreshPanel();
   void refreshEnabled();
@@ -89,15 +92,19 @@ private:
   std::optional<Doubt> current_;
   LearnedAnswer taught_;       // by an answer to it
   StepId stepBefore_ = {};     // done when it was asked
+  std::optional<NodeId> foot_; // of its wood then
+  std::size_t idEnd_ = 0;      // of the plant then
   std::vector<Doubt> skipped_; // asked once all others are
   std::vector<Doubt> asked_;   // that were answered, the last at the back
   bool isAsking_ = false;
   bool isAwaited_ = false; // it begins once doubts are known
   bool isByHand_ = false;  // none of the alternatives was right: an edit is waited for
   bool isOwnEdit_ = false;
-  QTimer editEnds_; // runs while wood that is asked about is edited by hand
+  bool isWoodEdited_ = false; // that is asked about, rather than what an alternative refers to
+  QTimer editEnds_;           // runs while wood that is asked about is edited by hand
   QTimer panelTimer_;
   bool isRestShown_ = false; // what the odds would decide: the same action makes it
+  QString agreement_;        // as it was known last
   bool isEnabled_ = true;
 };
 

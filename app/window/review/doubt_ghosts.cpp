@@ -73,11 +73,11 @@ std::vector<ShownGhost> ghostsOf(const Skeleton& skeleton, const Doubt& doubt) {
   return ghosts;
 }
 
-std::vector<ShownGhost> ghostsOfRest(const Skeleton& skeleton, const std::vector<Doubt>& doubts) {
+std::vector<ShownGhost> ghostsOfLikeliest(const Skeleton& skeleton,
+                                          const std::vector<Doubt>& doubts) {
   std::vector<ShownGhost> ghosts;
   for (const Doubt& doubt : doubts)
-    if (doubt.present != 0 && doubt.alternatives.front().probability >= surelyOtherwise)
-      ghosts.push_back(ghostOf(skeleton, doubt, doubt.alternatives.front()));
+    ghosts.push_back(ghostOf(skeleton, doubt, doubt.alternatives.front()));
   return ghosts;
 }
 

@@ -9,10 +9,13 @@
 #include "ui/document/plant_document.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace espalier {
 namespace {
+
+constexpr auto keptName = "answered_doubts";
 
 bool isReviewed(const Doubt& doubt, const Skeleton& skeleton) {
   return std::ranges::any_of(doubt.nodes, [&](NodeId id) {
@@ -23,7 +26,7 @@ bool isReviewed(const Doubt& doubt, const Skeleton& skeleton) {
 } // namespace
 
 DoubtsFlow::DoubtsFlow(const Parts& parts)
-    : parts_(parts), job_(parts.queue, JobPriority::background) {
+    : parts_(parts), job_(parts.queue, JobPriority::background, this) {
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &DoubtsFlow::refresh);
   PlantDocument& document = parts_.document;
@@ -41,12 +44,13 @@ DoubtsFlow::DoubtsFlow(const Parts& parts)
   connect(&parts_.distances, &ScanDistances::changed, this, [this] {
     if (!uses_.empty() && isOutdated_) timer_.start(0);
   });
-  connect(&job_, &JobSlot::failed, this, [this](const QString& message) {
-    isOutdated_ = false;
-    emit noted(message);
+  connect(&job_, &JobSlot::failed, this, [this](const QString& message) { failure_ = message; });
+  connect(&job_, &JobSlot::finished, this, [this] {
+    const bool isFoundAnew = std::exchange(isReplaced_, false);
+    if (job_.isCanceled() && !isFoundAnew) failure_ = tr("it was stopped");
+    emit changed();
   });
-  connect(&job_, &JobSlot::finished, this, &DoubtsFlow::changed);
-  keepInProject({.name = "answered_doubts",
+  keepInProject({.name = keptName,
                  .text = [this] { return textOf(answered_); },
                  .show =
                      [this](const std::string& text) {
@@ -69,8 +73,20 @@ void DoubtsFlow::setWanted(Use use, bool isWanted) {
 }
 
 bool DoubtsFlow::isBusy() const {
-  return !uses_.empty() && isOutdated_ && parts_.document.scan() != nullptr &&
+  return !uses_.empty() && isOutdated_ && failure_.isEmpty() && hasSpacing() &&
          !parts_.document.skeleton().isEmpty();
+}
+
+bool DoubtsFlow::hasSpacing() const {
+  return parts_.document.scale().spacing > 0; // 0 also without a scan
+}
+
+void DoubtsFlow::findAgain() {
+  if (failure_.isEmpty()) return;
+  failure_.clear();
+  isOutdated_ = true;
+  timer_.start(0);
+  emit changed();
 }
 
 void DoubtsFlow::take(const SkeletonDelta& delta) {
@@ -86,6 +102,7 @@ void DoubtsFlow::take(const SkeletonDelta& delta) {
   };
   if (std::ranges::any_of(delta.changes, changesWood)) {
     isOutdated_ = true;
+    failure_.clear();
     ++changes_;
     std::erase_if(found_, [&](const Doubt& doubt) {
       return isTouched(doubt) || !isThere(doubt, parts_.document.skeleton());
@@ -99,7 +116,9 @@ void DoubtsFlow::dropAll() {
   found_.clear();
   ratings_.reset();
   isOutdated_ = true;
+  failure_.clear();
   ++changes_;
+  isReplaced_ = job_.isBusy();
   job_.cancel();
   if (!uses_.empty()) timer_.start(0);
   list();
@@ -107,7 +126,9 @@ void DoubtsFlow::dropAll() {
 
 void DoubtsFlow::refresh() {
   const std::shared_ptr<const PointDistances> distances = parts_.distances.now();
-  if (uses_.empty() || !isOutdated_ || !distances || parts_.document.scan() == nullptr) return;
+  if (uses_.empty() || !isOutdated_ || !distances || !hasSpacing()) return;
+  failure_.clear();
+  isReplaced_ = false;
   job_.start(
       tr("Looking for doubts"),
       [distances, skeleton = parts_.document.skeleton(), scale = parts_.document.scale(),
@@ -186,13 +207,16 @@ void DoubtsFlow::note(const Doubt& doubt, LearnedAnswer learned, bool wasWrong, 
   std::erase_if(answered_, [&](const AnsweredDoubt& before) { // undone, and answered otherwise now
     return !holds(before) && isAbout(before, doubt, 0);
   });
-  answered_.push_back({.kind = doubt.kind,
-                       .node = doubt.node,
-                       .tip = tipOf(doubt),
-                       .learned = learned,
-                       .step = step});
+  AnsweredDoubt answered{.kind = doubt.kind, .node = doubt.node, .learned = learned, .step = step};
+  if (const auto ends = endsOfAdded(doubt)) std::tie(answered.foot, answered.tip) = *ends;
+  answered_.push_back(answered);
   learnAnew();
+  keepAnswers();
+}
+
+void DoubtsFlow::keepAnswers() {
   emit keptChanged();
+  parts_.writeNow(keptName);
 }
 
 StepId DoubtsFlow::editAs(const QString& text, const std::function<void(SkeletonEditor&)>& change) {
@@ -220,7 +244,8 @@ void DoubtsFlow::answerNone(const Doubt& asked) {
   const LearnedAnswer learned = learnedOf(doubt);
   parts_.document.requireEditable();
   const StepId step = editAs(tr("Answer: none of these"), [&](SkeletonEditor& editor) {
-    for (const NodeId id : doubt.nodes)
+    const std::vector<NodeId> bearer = {doubt.node};
+    for (const NodeId id : doubt.nodes.empty() ? bearer : doubt.nodes)
       editor.setReview(id, {.state = ReviewState::doubtful,
                             .comment = editor.skeleton()[id].review.comment,
                             .reviewer = parts_.reviewer().toStdString()});
@@ -228,9 +253,14 @@ void DoubtsFlow::answerNone(const Doubt& asked) {
   note(doubt, learned, true, step);
 }
 
-void DoubtsFlow::takeEdit(const Doubt& doubt, const LearnedAnswer& learned) {
+void DoubtsFlow::takeEdit(const Doubt& doubt, LearnedAnswer learned, bool wasWrong) {
   const int now = parts_.document.undoStack().index();
-  note(doubt, learned, true, now > 0 ? parts_.document.step(now - 1).id : StepId{});
+  note(doubt, learned, wasWrong, now > 0 ? parts_.document.step(now - 1).id : StepId{});
+}
+
+bool DoubtsFlow::isAnswered(const Doubt& doubt) const {
+  return std::ranges::any_of(
+      held_, [&](const AnsweredDoubt& answered) { return isAbout(answered, doubt, 0); });
 }
 
 AnsweredDoubt DoubtsFlow::takeBack() {
@@ -247,15 +277,25 @@ AnsweredDoubt DoubtsFlow::takeBack() {
     learnAnew();
   }
   list();
-  emit keptChanged();
+  keepAnswers();
   return last;
+}
+
+std::vector<Doubt> DoubtsFlow::decidedByOdds() const {
+  Skeleton plant = parts_.document.skeleton();
+  SkeletonEditor editor(plant);
+  std::vector<Doubt> decided;
+  for (const std::size_t i : decideByOdds(editor, doubts_))
+    decided.push_back(doubts_[i]);
+  return decided;
 }
 
 std::size_t DoubtsFlow::decideRest() {
   std::size_t changed = 0;
   const std::vector<Doubt> rest = doubts_;
-  parts_.document.edit(tr("Decide by odds"),
-                       [&](SkeletonEditor& editor) { changed = decideByOdds(editor, rest); });
+  parts_.document.edit(tr("Decide by odds"), [&](SkeletonEditor& editor) {
+    changed = decideByOdds(editor, rest).size();
+  });
   return changed;
 }
 

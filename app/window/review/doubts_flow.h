@@ -32,6 +32,7 @@ public:
     ScanDistances& distances;
     std::function<CheckOptions()> limits; // of the checks
     std::function<QString()> reviewer;
+    std::function<void(const std::string&)> writeNow; // of what a project keeps, by its name
   };
   explicit DoubtsFlow(const Parts& parts);
 
@@ -43,6 +44,11 @@ public:
   [[nodiscard]] bool isKnown() const { return ratings_.has_value(); } // they were found once
   /// Those of the plant as it is are being found.
   [[nodiscard]] bool isBusy() const override;
+  /// Why those of the plant as it is were not found; empty: nothing went wrong.
+  [[nodiscard]] const QString& failure() const { return failure_; }
+  void findAgain(); // after a failure
+  /// Whether the points of the scan are apart, so that something may follow from them.
+  [[nodiscard]] bool hasSpacing() const;
   /// What of the plant is right, as the odds say; none: it is not known.
   [[nodiscard]] std::optional<ExpectedAgreement> expected() const;
   /// As answersFor(). pre: isKnown()
@@ -53,15 +59,19 @@ public:
   /// Makes the plant what an alternative says, as one undo step, and learns from it.
   /// @throws Error if it is refused
   void answer(const Doubt& doubt, std::size_t alternative);
-  /// None of the alternatives is right: the wood is marked doubtful. @throws Error likewise
+  /// None of the alternatives is right: the wood is marked doubtful; where a branch is missing, the
+  /// node that would bear it. @throws Error likewise
   void answerNone(const Doubt& doubt);
   /// What an answer to it teaches: to be asked for while it is listed.
   [[nodiscard]] LearnedAnswer learnedOf(const Doubt& doubt) const;
-  /// An edit by hand, the step done last, has answered it: the plant was wrong there.
-  void takeEdit(const Doubt& doubt, const LearnedAnswer& learned);
+  /// An edit by hand, the step done last, has answered it.
+  void takeEdit(const Doubt& doubt, LearnedAnswer learned, bool wasWrong);
+  [[nodiscard]] bool isAnswered(const Doubt& doubt) const;
   /// Takes back the last answer that still holds, the doubt of which is asked again.
   /// @throws Error if there is none, or if other edits were made since
   AnsweredDoubt takeBack();
+  /// Those by which decideRest() would change the plant. O(N + doubts)
+  [[nodiscard]] std::vector<Doubt> decidedByOdds() const;
   /// As decideByOdds(), as one undo step. @return how many doubts changed the plant
   std::size_t decideRest();
 
@@ -78,6 +88,7 @@ private:
   void refresh();
   void list();
   void note(const Doubt& doubt, LearnedAnswer learned, bool wasWrong, StepId step);
+  void keepAnswers(); // on the disk, at once
   [[nodiscard]] StepId editAs(const QString& text,
                               const std::function<void(SkeletonEditor&)>& change);
   [[nodiscard]] bool holds(const AnsweredDoubt& answered) const;
@@ -94,6 +105,8 @@ private:
   std::vector<AnsweredDoubt> held_;     // those that hold
   bool isOutdated_ = true;              // they are not of the plant as it is
   int changes_ = 0;                     // of it
+  bool isReplaced_ = false;             // the plant that a job is about, and it was stopped
+  QString failure_;
   JobSlot job_;
 };
 

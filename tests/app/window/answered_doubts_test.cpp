@@ -17,6 +17,7 @@ AnsweredDoubt answeredMissing() {
   return {.kind = Doubt::Kind::missing,
           .node = NodeId(3),
           .tip = {1.5, -2, 0.25},
+          .foot = Eigen::Vector3d(0, 0, 0),
           .learned = {.kind = Doubt::Kind::missing, .said = 0.75, .spacings = 20}};
 }
 
@@ -34,7 +35,9 @@ TEST(AnsweredDoubts, AreRefusedWhereTheyCannotBeRead) {
         R"([{"kind": "end", "node": -1, "said": 0.5, "spacings": 1, "step": "0"}])",
         R"([{"kind": "end", "node": 1, "said": 0.5, "spacings": 1, "step": 5}])",
         R"([{"kind": "twig", "node": 1, "said": 0.5, "spacings": 1, "step": "0"}])",
-        R"([{"kind": "missing", "node": 1, "said": 0.5, "spacings": 1, "step": "0", "tip": [1]}])"})
+        R"([{"kind": "missing", "node": 1, "said": 0.5, "spacings": 1, "step": "0", "tip": [1]}])",
+        R"([{"kind": "missing", "node": 1, "said": 0.5, "spacings": 1, "step": "0",
+             "tip": [1, 2, 3], "foot": [1]}])"})
     EXPECT_THROW((void)answeredFrom(text), Error) << text;
 }
 
@@ -50,6 +53,14 @@ TEST(AnsweredDoubts, AreAboutTheSameWoodWhateverWasDoubtedOfIt) {
   missing.alternatives = {{.kind = Alternative::Kind::add, .branch = branch}};
   EXPECT_TRUE(isAbout(answeredMissing(), missing, 0.1));
   EXPECT_FALSE(isAbout(answeredMissing(), missing, 0.01));
+  GrownBranch other{.on = NodeId(7), .part = {}}; // to the same tip, from elsewhere
+  other.part.add({.position = {1.5, -2, 0.2}, .parent = other.part.add({.position = {3, 0, 0}})});
+  missing.alternatives = {{.kind = Alternative::Kind::add, .branch = other}};
+  EXPECT_FALSE(isAbout(answeredMissing(), missing, 0.1));
+  AnsweredDoubt older = answeredMissing(); // of a project of before
+  older.foot.reset();
+  EXPECT_TRUE(isAbout(older, missing, 0.1));
+  EXPECT_EQ(answeredFrom(textOf(std::vector{older})), std::vector{older});
 }
 
 } // namespace

@@ -1,13 +1,30 @@
 // The program asks about what it is in doubt about, and takes answers by one key.
+#include "app/window/files/load_files.h"
+#include "app/window/review/doubts_flow.h"
+#include "core/project/project.h"
+#include "core/skeleton/edits.h"
+#include "core/skeleton/select.h"
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/shared_data.h"
+#include "ui/document/doubt_text.h"
+#include "ui/panels/message_banner.h"
+#include "ui/panels/status_line.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QDialog>
+#include <QFile>
 #include <QLabel>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeWidget>
 
 #include <cmath>
+#include <functional>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace espalier {
 namespace {
@@ -35,6 +52,33 @@ protected:
   int doubts() { // as the panel says, once it follows
     QTest::qWait(30);
     return find<QLabel>("doubts_title").text().split(' ').front().toInt();
+  }
+  /// Points are left that have no wood.
+  void removeBranches() {
+    const Skeleton plant = document().skeleton();
+    document().edit("Remove", [&](SkeletonEditor& editor) {
+      int left = 5;
+      for (const NodeId id : plant.ids()) {
+        const std::size_t carried = downstream(plant, {id}).size();
+        const bool isBranch = plant[id].edge == EdgeType::branching && carried > 5 && carried < 40;
+        if (isBranch && editor.skeleton().contains(id) && left-- > 0) removeSubtree(editor, id);
+      }
+    });
+  }
+  [[nodiscard]] const DoubtsFlow& found() { return window().part<DoubtsFlow>(); }
+  std::string answers() { return found().kept().front().text(); } // as a project keeps them
+  /// Skips until a doubt of this kind is asked about, or of another.
+  void skipTo(Doubt::Kind kind, bool isOfIt = true) {
+    const bool isMissing = kind == Doubt::Kind::missing;
+    for (int i = 0; i < 500; ++i) {
+      const bool isAboutMissing = question().startsWith("Is there a branch");
+      if ((isMissing
+               ? isAboutMissing
+               : question().startsWith(kind == Doubt::Kind::end ? "Is this" : "What")) == isOfIt)
+        return;
+      key(Qt::Key_Space);
+    }
+    FAIL() << "there is no such doubt";
   }
   QString firstAnswer() { return find<QToolButton>("answer_1_button").text(); }
 
@@ -111,9 +155,7 @@ TEST_F(AskingTest, HasItsKeysWhileItAsksAndGivesThemBack) {
 
 TEST_F(AskingTest, MarksDoubtfulWhatNoneOfTheAnswersIsRightFor) {
   ask();
-  while (document().selection().nodes().empty() ||
-         question().startsWith("Is there a branch")) // of points there is no wood to mark
-    key(Qt::Key_Space);
+  skipTo(Doubt::Kind::missing, false);
   const std::vector<NodeId> wood = document().selection().nodes();
   key(Qt::Key_0);
   for (const NodeId id : wood)
@@ -198,6 +240,244 @@ TEST_F(AskingTest, ShowsWhatTheOddsWouldDecideBeforeItIsMade) {
   action("decide_rest").trigger();
   action("decide_rest").trigger();
   EXPECT_LE(document().undoStack().index(), steps + 1) << "all as one step";
+}
+
+TEST_F(AskingTest, MarksDoubtfulWhatWouldBearABranchThatIsMissing) {
+  removeBranches();
+  ask();
+  skipTo(Doubt::Kind::missing);
+  const NodeId bearer = document().selection().nodes().front();
+  const int steps = document().undoStack().index();
+  const QString asked = question();
+  key(Qt::Key_0);
+  EXPECT_EQ(document().undoStack().index(), steps + 1);
+  EXPECT_EQ(document().skeleton()[bearer].review.state, ReviewState::doubtful);
+  EXPECT_TRUE(answers().find("missing") != std::string::npos) << answers();
+  key(Qt::Key_Backspace);
+  EXPECT_EQ(document().skeleton()[bearer].review.state, ReviewState::toDo);
+  EXPECT_EQ(question(), asked);
+}
+
+TEST_F(AskingTest, TakesNoRadiusForAnAnswer) {
+  ask();
+  skipTo(Doubt::Kind::missing, false);
+  const NodeId node = document().selection().nodes().front();
+  const QString asked = question();
+  document().edit("Radius", [&](SkeletonEditor& editor) {
+    editor.setRadius(node, 1.01 * document().skeleton()[node].radius);
+  });
+  QTest::qWait(200);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !found().isBusy() && isAsked(); }, 20'000));
+  EXPECT_EQ(answers(), "");
+  EXPECT_EQ(question(), asked);
+}
+
+TEST_F(AskingTest, LearnsThatWoodIsRightWhichIsMovedAndWrongWhichIsRemoved) {
+  ask();
+  skipTo(Doubt::Kind::end);
+  const NodeId moved = document().selection().nodes().back();
+  document().edit("Move", [&](SkeletonEditor& editor) {
+    editor.setPosition(moved, document().skeleton()[moved].position + Eigen::Vector3d(0, 0, 0.001));
+  });
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !answers().empty() && isAsked(); }, 20'000));
+  EXPECT_TRUE(answers().find("\"wrong\":false") != std::string::npos) << answers();
+  skipTo(Doubt::Kind::end);
+  action("remove_subtree").trigger();
+  EXPECT_TRUE(QTest::qWaitFor(
+      [this] { return answers().find("\"wrong\":true") != std::string::npos; }, 20'000))
+      << answers();
+}
+
+TEST_F(AskingTest, AsksAgainWhatWasToBeCorrectedByHandOnceThatIsUndone) {
+  ask();
+  skipTo(Doubt::Kind::end);
+  const NodeId node = document().selection().nodes().back();
+  const QString asked = question() + firstAnswer();
+  key(Qt::Key_0);
+  ASSERT_FALSE(isAsked());
+  document().edit("Move", [&](SkeletonEditor& editor) {
+    editor.setPosition(node, document().skeleton()[node].position + Eigen::Vector3d(0, 0, 0.001));
+  });
+  QTest::qWait(200);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QTest::qWait(200);
+  EXPECT_FALSE(isAsked()) << "none of the answers is right still";
+  EXPECT_TRUE(question().startsWith("Correct it"));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
+  EXPECT_EQ(question() + firstAnswer(), asked);
+  QTest::qWait(200);
+  EXPECT_EQ(question() + firstAnswer(), asked);
+  EXPECT_EQ(answers().find("\"step\":\"0\""), std::string::npos);
+}
+
+TEST_F(AskingTest, GoesStraightToTheDoubtThatIsClicked) {
+  key(Qt::Key_F2, Qt::ShiftModifier);
+  auto& list = find<QTreeWidget>("doubts_list");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return list.topLevelItemCount() > 0; }, 20'000));
+  std::vector<std::vector<NodeId>> gone;
+  QObject::connect(&document().selection(), &Selection::changed, &view(),
+                   [&] { gone.push_back(document().selection().nodes()); });
+  const Doubt last = found().doubts().back();
+  QTreeWidgetItem* item = nullptr;
+  for (int i = 0; i < list.topLevelItemCount(); ++i)
+    for (int k = 0; k < list.topLevelItem(i)->childCount(); ++k)
+      if (list.topLevelItem(i)->child(k)->toolTip(0) == questionOf(last, document().unit()))
+        item = list.topLevelItem(i)->child(k);
+  ASSERT_NE(item, nullptr);
+  list.scrollToItem(item);
+  QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(item).center());
+  EXPECT_TRUE(isAsked());
+  EXPECT_EQ(gone.size(), 1U) << "it went somewhere else first";
+  EXPECT_EQ(document().selection().nodes().front(),
+            last.nodes.empty() ? last.node : last.nodes.front());
+}
+
+TEST_F(AskingTest, ShowsThatTheShareIsOfThePlantBefore) {
+  ask();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !found().isBusy(); }, 20'000));
+  QTest::qWait(30);
+  const auto& share = find<QLabel>("doubts_agreement");
+  ASSERT_TRUE(share.isEnabled());
+  skipTo(Doubt::Kind::end);
+  action("remove_subtree").trigger();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !share.isEnabled(); })) << "it is not of now";
+  EXPECT_TRUE(share.text().contains("of the length is right"));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return share.isEnabled(); }, 20'000));
+}
+
+TEST_F(AskingTest, SaysThatTheSearchFailedAndSearchesAgain) {
+  key(Qt::Key_F2, Qt::ShiftModifier);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return found().isKnown(); }, 20'000));
+  auto* job = found().findChild<JobSlot*>();
+  ASSERT_NE(job, nullptr);
+  const auto& note = find<QLabel>("doubts_note");
+  const auto touch = [this] {
+    const NodeId node = document().skeleton().roots().front();
+    document().edit("Move", [&](SkeletonEditor& editor) {
+      editor.setPosition(node, document().skeleton()[node].position + Eigen::Vector3d(0, 0, 1e-4));
+    });
+  };
+  touch();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return job->isBusy(); }, 20'000));
+  job->cancel();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !job->isBusy(); }, 20'000));
+  QTest::qWait(50);
+  EXPECT_EQ(note.text(), "The search for doubts did not end: it was stopped. F2 searches again");
+  ask();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !found().isBusy() && !note.isVisible(); }, 20'000));
+  EXPECT_EQ(found().failure(), "");
+  key(Qt::Key_Escape);
+  emit job->failed("no memory is left");
+  emit job->finished();
+  QTest::qWait(50);
+  EXPECT_EQ(note.text(), "The search for doubts did not end: no memory is left. F2 searches again");
+  touch();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !note.isVisible() && !found().isBusy(); }, 20'000))
+      << "an edit has it searched again";
+}
+
+// All that makes asking end, one after another.
+TEST_F(AskingTest, GivesItsKeysBackHoweverItEnds) {
+  std::map<QString, QList<QKeySequence>> before;
+  for (const QAction* each : window().actionSet().all())
+    before[each->objectName()] = each->shortcuts();
+  const auto addStop = [this] { action("stop_asking").trigger(); };
+  const std::vector<std::pair<std::string, std::function<void()>>> ends = {
+      {"the key", [this] { key(Qt::Key_Escape); }},
+      {"the command", addStop},
+      {"what the odds decide", [this] { action("decide_rest").trigger(); }},
+      {"the sheet of keys",
+       [this] {
+         action("shortcuts").trigger();
+         auto& sheet = find<QDialog>("shortcut_sheet");
+         QStringList rows;
+         for (const QLabel* label : sheet.findChildren<QLabel*>())
+           rows.append(label->text());
+         EXPECT_TRUE(rows.contains(action("extend_again").text())) << rows.join('|').toStdString();
+         sheet.close();
+         QTest::qWait(20);
+         QApplication::setActiveWindow(&window());
+       }},
+      {"points that are set aside",
+       [this] {
+         document().pointSelection().set(PointSet::of({0, 1, 2}));
+         action("set_points_aside").trigger();
+       }},
+      {"a job",
+       [this] {
+         action("reconstruct").trigger();
+         waitForJob();
+       }},
+      {"a plant that is read-only", [this] { document().setReadOnly("it is signed"); }}};
+  for (const auto& [what, end] : ends) {
+    ask();
+    ASSERT_TRUE(action("extend_again").shortcuts().isEmpty()) << what;
+    EXPECT_TRUE(window().statusLine().shownText().contains("Esc")) << what;
+    end();
+    QTest::qWait(20);
+    EXPECT_FALSE(isAsked()) << what;
+    for (const QAction* each : window().actionSet().all())
+      EXPECT_EQ(each->shortcuts(), before[each->objectName()])
+          << what << ": " << each->objectName().toStdString();
+    key(Qt::Key_Escape);
+  }
+}
+
+TEST_F(AskingTest, WritesAnAnswerThatChangesNothingAtOnce) {
+  const QString file = path("tree.espalier");
+  answer(chooseFile(file), [this] { action("save_project_as").trigger(); });
+  waitForJob();
+  removeBranches();
+  ask();
+  skipTo(Doubt::Kind::missing);
+  QTest::qWait(500); // all else is written
+  const int steps = document().undoStack().index();
+  const int noBranch = find<QToolButton>("answer_1_button").text().contains("no branch") ? 1 : 2;
+  action(QString("answer_%1").arg(noBranch)).trigger(); // no event is handled from here on
+  ASSERT_EQ(document().undoStack().index(), steps);
+  for (const char* end : {"", "-wal"}) // as they lie there when the program is killed now
+    ASSERT_TRUE(QFile::copy(file + end, path("killed.espalier") + end));
+  const Project left = Project::open(toPath(path("killed.espalier")), Access::readOnly);
+  EXPECT_TRUE(left.document("answered_doubts").find("missing") != std::string::npos)
+      << left.document("answered_doubts");
+}
+
+TEST_F(AskingTest, MakesAsManyChangesByTheOddsAsItShows) {
+  ask();
+  for (int i = 0; i < 8; ++i) { // the odds of those that are left rise
+    skipTo(Doubt::Kind::end);
+    for (int k = 0; k < 4; ++k)
+      if (find<QToolButton>(QString("answer_%1_button").arg(k + 1)).text().contains("no wood"))
+        action(QString("answer_%1").arg(k + 1)).trigger();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked() && !found().isBusy(); }, 20'000));
+  }
+  key(Qt::Key_Escape);
+  const auto numberIn = [](const QString& text) { return text.split(' ').front().toInt(); };
+  action("decide_rest").trigger();
+  const int shown = numberIn(window().statusLine().shownText());
+  ASSERT_GT(shown, 0) << window().statusLine().shownText().toStdString();
+  action("decide_rest").trigger();
+  EXPECT_EQ(numberIn(window().banner().text()), shown) << window().banner().text().toStdString();
+}
+
+/// All points at one place, beside a plant of one edge.
+struct AskingNothingTest : test::WindowTest {};
+
+TEST_F(AskingNothingTest, SaysThatNothingFollowsFromPointsAtOnePlace) {
+  open({writeFork("fork.mtg")});
+  RawPoints points;
+  points.positions.assign(50, Eigen::Vector3d(0, 0, 1));
+  document().setScan(std::make_unique<Scan>(PointCloud(points)), "place.xyz");
+  ASSERT_EQ(document().scale().spacing, 0);
+  key(Qt::Key_F2, Qt::ShiftModifier);
+  QTest::qWait(300);
+  EXPECT_EQ(find<QLabel>("doubts_note").text(),
+            "All points of the scan lie at one place: nothing can be asked about");
+  key(Qt::Key_F2);
+  EXPECT_TRUE(window().banner().text().contains("All points of the scan lie at one place"))
+      << window().banner().text().toStdString();
+  EXPECT_FALSE(window().part<DoubtsFlow>().isBusy());
 }
 
 } // namespace

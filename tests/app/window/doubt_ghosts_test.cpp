@@ -68,8 +68,10 @@ TEST(DoubtGhosts, DrawABranchThatIsMissingAsOneLineForEachRun) {
   const std::vector<ShownGhost> ghosts = ghostsOf(plantInDoubt(), doubt);
   EXPECT_EQ(ghosts[0].lines.size(), 3U) << "to the branching, and two on";
   EXPECT_TRUE(ghosts[1].lines.empty());
-  EXPECT_EQ(ghostsOfRest(plantInDoubt(), {doubt, attachmentInDoubt()}).size(), 1U)
-      << "what is not sure is not decided";
+  const std::vector<ShownGhost> rest = ghostsOfLikeliest(plantInDoubt(), {doubt});
+  ASSERT_EQ(rest.size(), 1U);
+  EXPECT_EQ(rest[0].lines.size(), 3U);
+  EXPECT_EQ(rest[0].number, 0);
 }
 
 } // namespace

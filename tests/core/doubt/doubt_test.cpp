@@ -134,8 +134,8 @@ TEST(DecideByOdds, MakesWhatIsMoreProbableThanThePresentAndPassesOverWhatIsGone)
   std::swap(goes.alternatives[0], goes.alternatives[2]);
   goes.alternatives[0].probability = 0.6;
   goes.present = 2;
-  EXPECT_EQ(decideByOdds(editor, {goes, goes, aboutMissing({1, 0, 3})}, 0.5), 2U);
-  EXPECT_EQ(decideByOdds(editor, {aboutMissing({1, 0, 3})}, 0.7), 0U) << "not sure enough";
+  EXPECT_EQ(decideByOdds(editor, {goes, goes, aboutMissing({1, 0, 3})}, 0.5).size(), 2U);
+  EXPECT_EQ(decideByOdds(editor, {aboutMissing({1, 0, 3})}, 0.7).size(), 0U) << "not sure enough";
   (void)editor.commit();
   EXPECT_FALSE(plant.contains(NodeId(4)));
   EXPECT_EQ(plant.size(), 5U);
@@ -160,12 +160,12 @@ TEST(DecideByOdds, AttachesNothingToWhatGoesAndKeepsOneEndOfAFork) {
                              {.kind = Alternative::Kind::asItIs, .probability = 0.1}},
             .present = 1};
   const Doubt moves = surely(aboutBranch(), Alternative::Kind::attach); // onto node 2
-  EXPECT_EQ(decideByOdds(editor, {moves, tip}), 1U);
+  EXPECT_EQ(decideByOdds(editor, {moves, tip}).size(), 1U);
   EXPECT_FALSE(plant.contains(NodeId(2)));
   EXPECT_TRUE(plant.contains(NodeId(4)));
   Skeleton fork = stemWithBranch();
   SkeletonEditor other(fork);
-  EXPECT_EQ(decideByOdds(other, {surely(aboutBranch(), Alternative::Kind::remove), tip}), 1U)
+  EXPECT_EQ(decideByOdds(other, {surely(aboutBranch(), Alternative::Kind::remove), tip}).size(), 1U)
       << "of the ends at a fork one stays";
   EXPECT_EQ(fork.size(), 4U);
 }
@@ -179,7 +179,7 @@ TEST(DecideByOdds, AddsBranchesToOneEdgeWhereTheyBelong) {
     doubts.back().alternatives.front().probability = 0.9;
     doubts.back().alternatives.front().branch->fraction = fraction;
   }
-  EXPECT_EQ(decideByOdds(editor, doubts), 2U);
+  EXPECT_EQ(decideByOdds(editor, doubts).size(), 2U);
   (void)editor.commit();
   std::vector<double> heights;
   for (const NodeId id : plant.ids())
@@ -203,7 +203,7 @@ TEST(DecideByOdds, AddsNothingToAnEdgeThatGoesElsewhere) {
     Skeleton plant = stemWithBranch();
     SkeletonEditor editor(plant);
     const bool isAtNode = fraction == 1;
-    EXPECT_EQ(decideByOdds(editor, {missing, moves}), isAtNode ? 2U : 1U);
+    EXPECT_EQ(decideByOdds(editor, {missing, moves}).size(), isAtNode ? 2U : 1U);
     (void)editor.commit();
     EXPECT_EQ(plant[NodeId(4)].parent, NodeId(2));
     EXPECT_EQ(plant.size(), isAtNode ? 7U : 6U);
@@ -211,7 +211,7 @@ TEST(DecideByOdds, AddsNothingToAnEdgeThatGoesElsewhere) {
   Skeleton stays = stemWithBranch();
   SkeletonEditor editor(stays);
   missing.alternatives[0].branch->fraction = 0.5;
-  EXPECT_EQ(decideByOdds(editor, {missing}), 1U);
+  EXPECT_EQ(decideByOdds(editor, {missing}).size(), 1U);
   EXPECT_EQ(stays.size(), 8U);
 }
 
@@ -248,6 +248,17 @@ TEST(LearnedOdds, AreThoseThatWereFittedUntilSomethingIsAnswered) {
   EXPECT_NEAR(doubts[0].wrong(), 0.6, 1e-9);
   EXPECT_NEAR(doubts[1].wrong(), 0.5, 1e-9);
   EXPECT_NEAR(doubts[1].gain, 0.1, 1e-9);
+}
+
+TEST(LearnedOdds, AreNumbersWherePointsHaveNoSpacing) {
+  const Doubt missing = aboutMissing({1, 0, 3});
+  LearnedOdds learned;
+  for (int i = 0; i < 3; ++i)
+    learned.learn(learnedFrom(missing, false, 0));
+  const Doubt adjusted = learned.adjusted({missing}, 0).front();
+  EXPECT_TRUE(std::isfinite(learned.answers().front().spacings));
+  EXPECT_LT(adjusted.wrong(), missing.wrong());
+  EXPECT_GT(adjusted.wrong(), 0);
 }
 
 TEST(LearnedOdds, FollowTheAnswersOfTheirKindAlone) {

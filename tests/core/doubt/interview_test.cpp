@@ -36,14 +36,31 @@ const Reconstructed& tree() {
   return made;
 }
 
-Interview interviewed(const Interview::Options& options, const Progress& progress = {}) {
-  return {tree().cloud,
-          tree().plant,
-          test::simulatedTree().truth,
-          tree().scale,
-          Eigen::Vector3d::UnitZ(),
-          options,
-          progress};
+/// As the tree, but for five branches that the scan has.
+const Skeleton& treeThatLacksBranches() {
+  static const Skeleton lacking = [] {
+    Skeleton plant = tree().plant;
+    SkeletonEditor editor(plant);
+    int removed = 0;
+    for (const NodeId id : tree().plant.ids()) {
+      if (!plant.contains(id) || plant[id].edge != EdgeType::branching) continue;
+      const std::size_t nodes = downstream(plant, {id}).size();
+      if (nodes < 5 || nodes > 20) continue;
+      removeSubtree(editor, id);
+      if (++removed == 5) break;
+    }
+    EXPECT_EQ(removed, 5);
+    (void)editor.commit();
+    return plant;
+  }();
+  return lacking;
+}
+
+Interview interviewed(const Interview::Options& options, const Progress& progress = {},
+                      const Skeleton& plant = tree().plant) {
+  return {
+      tree().cloud, plant,   test::simulatedTree().truth, tree().scale, Eigen::Vector3d::UnitZ(),
+      options,      progress};
 }
 
 double toleranceOfTree() {
@@ -169,7 +186,7 @@ TEST(FindDoubts, StopsWhenAsked) {
 }
 
 TEST(Interview, MakesThePlantMoreRightAndEndsWhenNothingIsInDoubt) {
-  Interview interview = interviewed({.tolerance = toleranceOfTree()});
+  Interview interview = interviewed({.tolerance = toleranceOfTree()}, {}, treeThatLacksBranches());
   const auto share = [&] {
     return agreementWith(interview.reference(), interview.plant(), toleranceOfTree()).share();
   };
@@ -186,7 +203,8 @@ TEST(Interview, MakesThePlantMoreRightAndEndsWhenNothingIsInDoubt) {
 
 TEST(Interview, PutsMoreRightWithFewAnswersThanInTheOrderOfTheReview) {
   const auto after = [](AskingOrder order, std::size_t answers) {
-    Interview interview = interviewed({.tolerance = toleranceOfTree(), .order = order});
+    Interview interview =
+        interviewed({.tolerance = toleranceOfTree(), .order = order}, {}, treeThatLacksBranches());
     while (interview.answers() < answers && interview.askNext())
       ;
     return agreementWith(interview.reference(), interview.plant(), toleranceOfTree()).share();
@@ -216,29 +234,16 @@ TEST(Interview, DecidesTheRestByWhatItLearned) {
             before - 0.005);
 }
 
-// Some branches that the scan has are taken away: that they are missing is surer than that not.
+// That the branches are missing is surer than that not.
 TEST(Interview, CountsWhatItDecidesAmongTheChanges) {
-  Skeleton plant = tree().plant;
-  SkeletonEditor editor(plant);
-  int removed = 0;
-  for (const NodeId id : tree().plant.ids()) {
-    if (!plant.contains(id) || plant[id].edge != EdgeType::branching) continue;
-    const std::size_t nodes = downstream(plant, {id}).size();
-    if (nodes < 5 || nodes > 20) continue;
-    removeSubtree(editor, id);
-    if (++removed == 5) break;
-  }
-  (void)editor.commit();
-  ASSERT_EQ(removed, 5);
-  Interview interview(tree().cloud, plant, test::simulatedTree().truth, tree().scale,
-                      Eigen::Vector3d::UnitZ(), {.tolerance = toleranceOfTree()});
+  Interview interview = interviewed({.tolerance = toleranceOfTree()}, {}, treeThatLacksBranches());
   const auto surely =
       static_cast<std::size_t>(std::ranges::count_if(interview.doubts(), [](const Doubt& doubt) {
         return doubt.present != 0 && doubt.alternatives.front().probability >= surelyOtherwise;
       }));
   ASSERT_GT(surely, 0U);
   interview.decideRest();
-  EXPECT_GT(interview.plant().size(), plant.size());
+  EXPECT_GT(interview.plant().size(), treeThatLacksBranches().size());
   EXPECT_GT(interview.changes(), 0U);
   EXPECT_LE(interview.changes(), surely);
   EXPECT_EQ(interview.answers(), 0U);

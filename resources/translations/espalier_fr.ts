@@ -53,11 +53,11 @@
     <name>DoubtText</name>
     <message>
         <source>May be no wood</source>
-        <translation>Peut-être pas du bois</translation>
+        <translation>Bois incertain</translation>
     </message>
     <message>
         <source>May grow elsewhere</source>
-        <translation>Pousse peut-être ailleurs</translation>
+        <translation>Attache incertaine</translation>
     </message>
     <message>
         <source>May be missing</source>

@@ -9,6 +9,7 @@
 #include <QPointer>
 #include <QTimer>
 
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -54,6 +55,8 @@ public:
   void stopAsking();
 
 private:
+  static constexpr std::size_t mostListed = 200; // doubts, that a person looks at
+
   void addActions();
   void makePanel();
   void connectParts();

@@ -20,7 +20,6 @@ using Names = std::set<std::string>;
 
 /// Header and function -> why no file but those of its own pair names it.
 const std::map<std::pair<std::string, std::string>, std::string> exceptions = {
-    {{"core/base/parallel.h", "inPieces"}, "the templates beside it call it"},
     {{"core/surface/envelopes/asymmetric_hull.h", "meshOf"}, "of the hull that a fit finds"},
     {{"core/clean/plants.h", "plantsAmong"}, "a step of another, tested by itself"},
     {{"core/clean/plants.h", "resolved"}, "a function beside it calls it"},

@@ -79,16 +79,17 @@ std::optional<Legend> pointLegend(const PointCloud& cloud, PointColor by, UpAxis
                 .categories = {}};
 }
 
-std::vector<Color> pointColors(const PointCloud& cloud, PointColor by,
-                               const std::optional<Legend>& legend, bool dark, const Color& plain,
-                               UpAxis up) {
-  if (by == PointColor::rgb && !cloud.colors().empty()) return cloud.colors();
-  std::vector<Color> colors(static_cast<std::size_t>(cloud.size()), plain);
-  if (!legend) return colors;
-  const LegendColors map(*legend, dark);
-  for (std::size_t i = 0; i < colors.size(); ++i)
-    colors[i] = map(pointValue(cloud, by, static_cast<Eigen::Index>(i), up));
-  return colors;
+PointColors::PointColors(const PointCloud& cloud, PointColor by,
+                         const std::optional<Legend>& legend, bool dark, const Color& plain,
+                         UpAxis up)
+    : cloud_(&cloud), by_(by), plain_(plain), up_(up) {
+  if (legend) map_.emplace(*legend, dark);
+}
+
+Color PointColors::operator[](Eigen::Index point) const {
+  if (by_ == PointColor::rgb && !cloud_->colors().empty())
+    return cloud_->colors()[static_cast<std::size_t>(point)];
+  return map_ ? (*map_)(pointValue(*cloud_, by_, point, up_)) : plain_;
 }
 
 } // namespace espalier

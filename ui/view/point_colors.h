@@ -25,9 +25,21 @@ enum class PointColor { uniform, height, intensity, rgb };
                                 UpAxis up);
 
 /// The color of each point; `plain` for all if the cloud has not what it is to be colored by.
-/// @param legend as pointLegend(), with another range or map if wanted
-[[nodiscard]] std::vector<Color> pointColors(const PointCloud& cloud, PointColor by,
-                                             const std::optional<Legend>& legend, bool dark,
-                                             const Color& plain, UpAxis up = UpAxis::z);
+class PointColors {
+public:
+  /// @param cloud  must outlive it
+  /// @param legend as pointLegend(), with another range or map if wanted
+  PointColors(const PointCloud& cloud, PointColor by, const std::optional<Legend>& legend,
+              bool dark, const Color& plain, UpAxis up = UpAxis::z);
+
+  [[nodiscard]] Color operator[](Eigen::Index point) const; // pre: of the cloud
+
+private:
+  const PointCloud* cloud_;
+  PointColor by_;
+  std::optional<LegendColors> map_; // none: not by value
+  Color plain_;
+  UpAxis up_;
+};
 
 } // namespace espalier

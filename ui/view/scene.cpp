@@ -150,6 +150,7 @@ void Scene::setSeenRange(std::optional<ValueRange> range) {
 void Scene::setPointStates(std::shared_ptr<const std::vector<PointState>> states) {
   pointStates = std::move(states);
   ++colorRevision;
+  ++stateRevision;
 }
 
 void Scene::setPointValues(std::optional<PointValues> values) {

@@ -91,6 +91,7 @@ struct Scene {
   std::shared_ptr<const std::vector<PointState>> pointStates; // of `cloud`; null: all normal
   ColorScales colorScales;
   std::uint64_t colorRevision = 0; // grows when points are to be colored anew
+  std::uint64_t stateRevision = 0; // likewise, with it, when this is for their states alone
   int pointSize = 2;               // [logical pixels]
   bool showRadii = false;
   UpAxis up = UpAxis::z; // along which heights are

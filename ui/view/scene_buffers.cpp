@@ -1,34 +1,26 @@
 #include "ui/view/scene_buffers.h"
 
+#include "core/base/pieces.h"
+#include "ui/view/drawing_order.h"
 #include "ui/view/point_look.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numeric>
 #include <vector>
 
 namespace espalier {
 namespace {
 
-/// A number near `count` over the golden ratio that shares no factor with it.
-Eigen::Index goldenStep(Eigen::Index count) {
-  auto step = static_cast<Eigen::Index>(std::llround(0.6180339887498949 * double(count)));
-  while (step > 1 && std::gcd(step, count) != 1)
-    --step;
-  return std::max<Eigen::Index>(step, 1);
-}
-
 /// The columns or entries of `count` things in the order in which they are drawn.
 template <class Value, class At> std::vector<Value> inDrawingOrder(Eigen::Index count, At at) {
+  constexpr Eigen::Index grain = 1 << 14;
   std::vector<Value> values(static_cast<std::size_t>(count));
-  const Eigen::Index step = goldenStep(count);
-  Eigen::Index next = 0;
-  for (Value& value : values) {
-    value = at(next);
-    next += step;
-    if (next >= count) next -= count;
-  }
+  const DrawingOrder order(count);
+  runInPieces(count, grain, [&](Eigen::Index begin, Eigen::Index end) {
+    Eigen::Index point = order.pointAt(begin);
+    for (Eigen::Index rank = begin; rank < end; ++rank, point = order.after(point))
+      values[static_cast<std::size_t>(rank)] = at(point);
+  });
   return values;
 }
 
@@ -59,12 +51,16 @@ void uploadPositions(GlBuffer& buffer, const Eigen::Matrix3Xf& positions) {
   buffer.upload(places.data(), places.size() * sizeof(Place));
 }
 
-void uploadLooks(GlBuffer& buffer, const std::vector<std::array<std::uint8_t, 4>>& looks) {
-  using Look = std::array<std::uint8_t, 4>;
+void uploadLooks(GlBuffer& buffer, const std::vector<PointLook>& looks) {
   const auto sorted =
-      inDrawingOrder<Look>(static_cast<Eigen::Index>(looks.size()),
-                           [&](Eigen::Index i) { return looks[static_cast<std::size_t>(i)]; });
-  buffer.upload(sorted.data(), sorted.size() * sizeof(Look));
+      inDrawingOrder<PointLook>(static_cast<Eigen::Index>(looks.size()),
+                                [&](Eigen::Index i) { return looks[static_cast<std::size_t>(i)]; });
+  buffer.upload(sorted.data(), sorted.size() * sizeof(PointLook));
+}
+
+void upload(GlBuffer& buffer, DrawnLooks& looks, const Scene& scene) {
+  looks.refresh(scene);
+  buffer.upload(looks.inOrder().data(), looks.inOrder().size() * sizeof(PointLook));
 }
 
 /// Each glyph once for each of its corners. (Instances would need no copies, but software OpenGL
@@ -122,12 +118,12 @@ void uploadLooksOf(const OtherState& other, SceneBuffers::Points& buffers, const
   const bool isNew = buffers.colors.size() == 0 || buffers.revision != other.contracted.revision ||
                      buffers.colorRevision != scene.colorRevision;
   if (!isNew) return;
-  const std::vector<std::array<std::uint8_t, 4>> all =
-      scene.pointValues ? pointLooks(scene) : contractedLooks(scene);
-  std::vector<std::array<std::uint8_t, 4>> looks;
+  const PointLooks all(scene,
+                       scene.pointValues ? PointPlace::scanned : PointPlace::contractedInState);
+  std::vector<PointLook> looks;
   looks.reserve(other.points.size());
   for (const Eigen::Index point : other.points)
-    looks.push_back(all[static_cast<std::size_t>(point)]);
+    looks.push_back(all[point]);
   uploadLooks(buffers.colors, looks);
   buffers.colorRevision = scene.colorRevision;
 }
@@ -141,26 +137,21 @@ void uploadMovedLooks(SceneBuffers::Points& buffers, const Scene& scene) {
   buffers.colorRevision = revision;
 }
 
-/// Those of points that were left out lie where they were scanned, and are shown there alone.
-std::vector<std::array<std::uint8_t, 4>> looksOfContracted(const Scene& scene) {
-  std::vector<std::array<std::uint8_t, 4>> looks = contractedLooks(scene);
-  if (scene.areSomeAtRest)
-    for (std::size_t i = 0; i < looks.size(); ++i)
-      if (scene.isContractedAtRest(static_cast<Eigen::Index>(i))) looks[i][3] = 0;
-  return looks;
-}
-
 } // namespace
 
 void SceneBuffers::uploadPoints(const Scene& scene) {
   if (cloud_.revision != scene.points.revision && scene.points.positions)
     uploadPositions(cloud_.positions, *scene.points.positions);
-  if (cloud_.colorRevision != scene.colorRevision && scene.cloud) {
-    uploadLooks(cloud_.colors, pointLooks(scene));
-    if (scene.pointStates || scene.areSomeAtRest)
-      uploadLooks(contracted_.colors, looksOfContracted(scene));
-    else
+  const bool areColorsNew = scene.cloud && cloud_.colorRevision != scene.colorRevision;
+  if (areColorsNew) upload(cloud_.colors, looks_, scene);
+  if (areColorsNew || contracted_.revision != scene.contracted.revision) {
+    const bool isContracted = scene.cloud && scene.contracted.size() == scene.points.size();
+    if (isContracted && (scene.pointStates || scene.areSomeAtRest)) {
+      upload(contracted_.colors, contractedLooks_, scene);
+    } else {
       contracted_.colors.release();
+      contractedLooks_ = DrawnLooks(PointPlace::contracted);
+    }
   }
   cloud_.revision = scene.points.revision;
   cloud_.colorRevision = scene.colorRevision;

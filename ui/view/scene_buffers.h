@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/view/drawn_looks.h"
 #include "ui/view/gl_objects.h"
 #include "ui/view/scene.h"
 
@@ -68,6 +69,8 @@ private:
   Glyphs skeleton_;
   Glyphs reference_;
   std::array<Other, 2> others_;
+  DrawnLooks looks_{PointPlace::scanned}; // as they were uploaded
+  DrawnLooks contractedLooks_{PointPlace::contracted};
   GlBuffer quads_;
   int users_ = 0;
 };

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <functional>
+
+namespace espalier {
+
+/// As inPieces() of core/base/parallel.h, for sources that include Qt, which has a macro in the way
+/// of what that header includes.
+void runInPieces(Eigen::Index count, Eigen::Index grain,
+                 const std::function<void(Eigen::Index, Eigen::Index)>& work);
+
+} // namespace espalier

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace espalier {
@@ -32,17 +33,40 @@ struct Places {
       progress.check();
       return sign * height(a, up) > sign * height(b, up);
     };
-    const Eigen::Index first = *std::ranges::max_element(points, isHigher);
+    const std::size_t most = (points.size() + 15) / 16; // that are looked at
+    std::vector<Eigen::Index> heap = someLowest(up, sign);
+    const Eigen::Index first = *std::ranges::max_element(heap, isHigher);
     if (!isIsolated(first)) return height(first, up);
-    std::vector<Eigen::Index> heap = points;
-    std::ranges::make_heap(heap, isHigher);
-    while (16 * heap.size() > 15 * points.size()) {
-      const Eigen::Index next = heap.front();
-      if (!isIsolated(next)) return height(next, up);
-      std::ranges::pop_heap(heap, isHigher);
-      heap.pop_back();
+    for (const bool areAll : {false, true}) {
+      if (areAll) heap = points;
+      const std::size_t known = heap.size();
+      std::ranges::make_heap(heap, isHigher);
+      while (!heap.empty() && known - heap.size() < most) {
+        const Eigen::Index next = heap.front();
+        if (!isIsolated(next)) return height(next, up);
+        std::ranges::pop_heap(heap, isHigher);
+        heap.pop_back();
+      }
+      if (known >= most) break;
     }
     return height(first, up);
+  }
+
+  /// The lowest of all, about 1 of 256, likewise: all up to some height.
+  [[nodiscard]] std::vector<Eigen::Index> someLowest(UpAxis up, float sign) const {
+    constexpr std::size_t sampled = 4096;
+    const std::size_t step = points.size() / sampled + 1;
+    std::vector<float> heights;
+    for (std::size_t i = 0; i < points.size(); i += step)
+      heights.push_back(sign * height(points[i], up));
+    const auto border = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 256);
+    std::ranges::nth_element(heights, border);
+    std::vector<Eigen::Index> some;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (i % sampled == 0) progress.check();
+      if (sign * height(points[i], up) <= *border) some.push_back(points[i]);
+    }
+    return some;
   }
 
   [[nodiscard]] bool isIsolated(Eigen::Index point) const {
@@ -55,19 +79,27 @@ struct Places {
 template <class Measure>
 auto onPlaces(const PointCloud& cloud, const SpatialIndex& index, const PointSet& leftOut,
               const Progress& progress, const Measure& measure) {
-  const PointSet passed = leftOut | repeatedPoints(cloud, leftOut);
-  const PointSet without = passed | PointSet::of(farPoints(cloud, leftOut, progress));
+  std::vector<bool> isPassed = notCounted(cloud, leftOut);
+  progress.check();
+  std::vector<bool> isWithout = isPassed;
+  for (const Eigen::Index far : farPoints(cloud, isPassed))
+    isWithout[static_cast<std::size_t>(far)] = true;
+  progress.check();
+  std::vector<Eigen::Index> points;
+  points.reserve(isWithout.size());
+  for (Eigen::Index i = 0; i < cloud.size(); ++i)
+    if (!isWithout[static_cast<std::size_t>(i)]) points.push_back(i);
   const Eigen::Matrix3Xf& positions = cloud.positions();
   const auto measured = [&](const SpatialIndex& found) {
-    Places places{progress, positions, found, others(without, cloud.size()), 0, {}};
+    Places places{progress, positions, found, std::move(points), 0, {}};
     progress.check();
     places.spacing = spacingOfPlaces(positions, found, places.points);
     progress.check();
     places.wood = thinWood(positions, found, places.points, places.spacing);
     return measure(places);
   };
-  return passed.isEmpty() ? measured(index)
-                          : measured(index.passingOver(notCounted(cloud, leftOut)));
+  const bool areAll = std::ranges::find(isPassed, true) == isPassed.end();
+  return areAll ? measured(index) : measured(index.passingOver(std::move(isPassed)));
 }
 
 PlantExtent extentOf(const Places& places, UpAxis up) {

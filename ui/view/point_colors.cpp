@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace espalier {
 namespace {
@@ -50,16 +49,12 @@ std::optional<Legend> pointLegend(const PointCloud& cloud, PointColor by, UpAxis
   ValueRange range;
   std::vector<double> values;
   if (isHeight) {
-    const Eigen::AlignedBox3d box = plantBounds(cloud, leftOut);
-    if (box.isEmpty()) return std::nullopt;
-    range = {box.min()[static_cast<int>(up)], box.max()[static_cast<int>(up)]};
-    values.resize(static_cast<std::size_t>(cloud.size()));
-    for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] = pointValue(cloud, by, static_cast<Eigen::Index>(i), up);
-    for (const Eigen::Index far : farPoints(cloud, leftOut))
-      values[static_cast<std::size_t>(far)] = std::numeric_limits<double>::quiet_NaN();
-    for (const Eigen::Index point : leftOut.points())
-      values[static_cast<std::size_t>(point)] = std::numeric_limits<double>::quiet_NaN();
+    for (const Eigen::Index point :
+         others(leftOut | PointSet::of(farPoints(cloud, leftOut)), cloud.size()))
+      values.push_back(pointValue(cloud, by, point, up));
+    if (values.empty()) return std::nullopt;
+    const auto [least, most] = std::ranges::minmax(values);
+    range = {least, most};
   } else {
     std::vector<float> counted;
     for (const Eigen::Index point : others(leftOut, cloud.size()))

@@ -50,6 +50,18 @@ TEST(PlantScale, IsHardlyMovedByStrays) {
   }
 }
 
+// Those that stand alone are passed over, be they a handful or the most that are: 1 of 16.
+TEST(PlantScale, HasTheHeightOfThePlantBelowAnyStraysAboveIt) {
+  const Eigen::Matrix3Xf plant = test::cylinder({0, 0, 0}, {0, 0, 2}, 0.2, 0.01);
+  const double height = test::heightOf(plant, UpAxis::z);
+  for (const Eigen::Index part : {4000, 300, 100, 20}) {
+    Eigen::Matrix3Xf strays = Eigen::Matrix3Xf::Zero(3, plant.cols() / part);
+    ASSERT_GT(strays.cols(), 1) << part;
+    strays.row(2).setLinSpaced(2.2F, 2.2F + 0.2F * static_cast<float>(strays.cols() - 1));
+    EXPECT_NEAR(scaleOf(test::both(plant, strays)).height, height, 1e-4) << part;
+  }
+}
+
 TEST(PlantScale, FollowsTheUpAxis) {
   Eigen::Matrix3Xf points = test::forkCloud();
   points.row(0).swap(points.row(2));

@@ -106,11 +106,13 @@ struct Info {
 /// What a scan says of itself, and what its points do.
 Info infoOnScan(const InfoFlags& flags) {
   const ReadOptions reading = flags.read.options();
-  Json json = scanInfo(glanceAt(flags.file, reading.columns));
-  if (flags.isHeaderOnly) return {std::move(json), {}};
+  PointGlance glance = glanceAt(flags.file, reading.columns);
+  if (flags.isHeaderOnly) return {scanInfo(glance), {}};
   const TerminalProgress terminal;
   const auto points = readPoints(flags.file, reading, terminal.progress().part(0, 0.7));
   printNotes(points.notes);
+  glance.bounds = points.value.bounds(); // of all that was read, in place of a sample
+  Json json = scanInfo(glance);
   json.erase("points_estimated");
   json.erase("bounds_of_sample");
   json.update(statistics(points.value));

@@ -107,6 +107,23 @@ TEST_F(Subcommands, InfoShowsTheHeaderWithoutReadingPoints) {
   EXPECT_THAT(run({"info", scan_, "--header"}), HasSubstr("\nup_reason "));
 }
 
+// The highest point is one of many, in none of the places that a header is read from.
+TEST_F(Subcommands, InfoSaysTheSizeOfAllPointsOnceTheyAreRead) {
+  const std::string column = file("column.ply");
+  std::ofstream out(file("column.xyz"));
+  constexpr int count = 100'000;
+  for (int i = 0; i < count; ++i)
+    out << i % 100 * 0.01 << ' ' << i / 100 % 100 * 0.01 << ' ' << (i == 33'331 ? 1.5 : i * 1e-5)
+        << '\n';
+  out.close();
+  run({"convert", file("column.xyz"), column});
+  const json header = json::parse(run({"info", column, "--header", "--json"}));
+  ASSERT_LT(header["bounds"]["maximum"][2], 1.1) << "else this shows nothing";
+  const json whole = json::parse(run({"info", column, "--json"}));
+  EXPECT_NEAR(whole["bounds"]["maximum"][2], 1.5, 1e-6);
+  EXPECT_NEAR(whole["size_in_meters"][2], 1.5, 1e-6);
+}
+
 TEST_F(Subcommands, InfoCountsFarAndRepeatedPoints) {
   const PointCloud cloud = readPoints(scan_).value;
   std::ostringstream text;

@@ -3,6 +3,7 @@
 #include "core/decide/attachment_odds.h"
 #include "core/decide/end_odds.h"
 #include "core/doubt/missing_branches.h"
+#include "core/doubt/plant_share.h"
 #include "core/skeleton/length_along.h"
 
 #include <algorithm>
@@ -20,12 +21,8 @@ constexpr std::size_t mostAlternatives = 4;
 class DoubtSearch {
 public:
   DoubtSearch(const Skeleton& skeleton, const DoubtSources& sources)
-      : skeleton_(skeleton), sources_(sources), cloud_(*sources.distances.cloud()) {
-    for (const NodeId id : skeleton.ids()) {
-      allLength_ += edgeLength(skeleton, id);
-      if (skeleton.children(id).empty()) ++allEnds_;
-    }
-  }
+      : skeleton_(skeleton), sources_(sources), cloud_(*sources.distances.cloud()),
+        plant_(skeleton) {}
 
   [[nodiscard]] std::vector<Doubt> find(const Progress& progress) {
     if (skeleton_.isEmpty() || cloud_.size() == 0) return {};
@@ -68,7 +65,7 @@ private:
       Doubt& doubt = at->second;
       if (isNew)
         doubt = {.node = choice.node,
-                 .nodes = runFrom(choice.node),
+                 .nodes = runFrom(skeleton_, choice.node),
                  .alternatives = {{.kind = Kind::asItIs, .probability = 1}}};
       const double isWood = doubt.alternatives.front().probability;
       const double isNone = 1 - isWood;
@@ -78,13 +75,6 @@ private:
         doubt.alternatives.push_back(
             {.kind = Kind::attach, .probability = isWood * odds[i], .onto = choice.links[i].from});
     }
-  }
-
-  [[nodiscard]] std::vector<NodeId> runFrom(NodeId id) const {
-    std::vector<NodeId> run = {id};
-    while (skeleton_.children(run.back()).size() == 1)
-      run.push_back(skeleton_.children(run.back()).front());
-    return run;
   }
 
   void addMissing(const Progress& progress) {
@@ -120,10 +110,9 @@ private:
     }
     case Kind::attach:
     case Kind::remove:
-      for (const NodeId id : doubt.nodes)
-        length += edgeLength(skeleton_, id);
+      length = lengthOf(skeleton_, doubt.nodes);
     }
-    return (length / std::max(allLength_, length) + ends / std::max(allEnds_, ends)) / 2;
+    return plant_.of(length, ends);
   }
 
   void keep(Doubt doubt, std::vector<Doubt>& doubts) const {
@@ -152,8 +141,7 @@ private:
   const Skeleton& skeleton_;
   const DoubtSources& sources_;
   const PointCloud& cloud_;
-  double allLength_ = 0; // [L]
-  double allEnds_ = 0;
+  PlantShare plant_;
   std::map<NodeId, Doubt> ofWood_; // by the lowest node
   std::vector<Doubt> missing_;
 };

@@ -5,6 +5,8 @@
 //   espalier_findings --simulated FIRST COUNT [--list]   bare ones of scannedPlant(FIRST) and on
 //   espalier_findings --noisy FIRST COUNT [--list]       those of noisyPlant()
 //   espalier_findings --rough FIRST COUNT [--list]       as simulated, drawn as people draw
+//   espalier_findings --found FIRST COUNT                how much of what findings are about is
+//   wrong
 //
 // With --list, each false finding and each missed error is printed.
 //
@@ -12,11 +14,20 @@
 // structure with the errors, the others are false: those that were there before ("before"), and
 // those that only came with the errors ("new"). For each kind of finding, how many are true is
 // printed, too.
+//
+// --found reconstructs plants of scannedPlant(FIRST) and on by default, and prints for each kind of
+// finding how much of the wood that it is about is invented or wrongly attached, or of how far its
+// points reach is missed (core/evaluate/differences, within 4 spacings): the chances of an error in
+// core/doubt/finding_gain.cpp.
 #include "core/base/random.h"
+#include "core/doubt/finding_gain.h"
+#include "core/evaluate/differences/differences.h"
 #include "core/io/formats.h"
+#include "core/pipeline/pipeline.h"
 #include "core/pipeline/plant_scale.h"
 #include "core/skeleton/checks.h"
 #include "core/skeleton/checks_of_scan.h"
+#include "core/skeleton/length_along.h"
 #include "core/skeleton/path_edits.h"
 #include "core/skeleton/shift_onto_cloud.h"
 #include "core/skeleton/skeleton_delta.h"
@@ -181,18 +192,94 @@ Scanned read(const std::string& scan, const std::string& structure) {
   return plant;
 }
 
+/// Of the findings of a kind.
+struct Chance {
+  int count = 0;
+  double length = 0; // in lengths of the plant: of the wood that they are about
+  double wrong = 0;  // likewise
+  int mostly = 0;    // of which over half is wrong
+};
+using Chances = std::array<Chance, findingKinds>;
+
+/// The length of what a skeleton lacks about some points, at most as far as they reach [L].
+double missedAt(const Finding& finding, const PointCloud& cloud, const Skeleton& truth,
+                const Differences& found) {
+  const Eigen::Matrix3Xf points = cloud.positions()(Eigen::all, finding.points);
+  const SpatialIndex index(points);
+  double missed = 0;
+  for (const NodeId id : truth.ids()) {
+    if (!truth[id].parent || found.ofReference[indexOf(id)] == Difference::matched) continue;
+    const Eigen::Vector3d& from = truth[*truth[id].parent].position;
+    const double length = edgeLength(truth, id);
+    const int parts = std::max(1, static_cast<int>(length / found.tolerance));
+    for (int i = 0; i < parts; ++i) {
+      const Eigen::Vector3d at =
+          from + (i + 0.5) / parts * (truth[id].position - from) - cloud.origin();
+      if (index.nearestOne(at.cast<float>(),
+                           static_cast<float>(found.tolerance + truth[id].radius)))
+        missed += length / parts;
+    }
+  }
+  return missed;
+}
+
+void addChances(Chances& chances, const ScannedPlant& plant) {
+  const Reconstruction result = Pipeline().run(plant.cloud, {});
+  const Skeleton& skeleton = *result.skeleton;
+  const PlantScale scale = scaleOf(*plant.cloud, {}, UpAxis::z);
+  const CheckOptions limits{.scatter = scale.scatter / scale.spacing};
+  const SpatialIndex index(plant.cloud->positions());
+  const std::vector<Finding> findings =
+      findingsOf(skeleton, plant.cloud, scale.spacing, index, limits);
+  const std::vector<FindingGain> gains = gainsOf(findings, skeleton);
+  const Differences found = differences(skeleton, plant.truth, 4 * scale.spacing);
+  double all = 0;
+  for (const NodeId id : skeleton.ids())
+    all += edgeLength(skeleton, id);
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    const std::vector<NodeId> wood = woodOf(findings[i], skeleton);
+    double wrong = 0;
+    for (const NodeId id : wood)
+      if (found.ofResult[indexOf(id)] != Difference::matched) wrong += edgeLength(skeleton, id);
+    if (wood.empty()) wrong = missedAt(findings[i], *plant.cloud, plant.truth, found);
+    wrong = std::min(wrong, gains[i].length);
+    Chance& chance = chances[static_cast<std::size_t>(findings[i].kind)];
+    ++chance.count;
+    chance.length += gains[i].length / all;
+    chance.wrong += wrong / all;
+    if (2 * wrong > gains[i].length) ++chance.mostly;
+  }
+}
+
+int runFound(std::uint64_t first, std::uint64_t count) {
+  Chances chances;
+  for (std::uint64_t number = first; number < first + count; ++number)
+    addChances(chances, scannedPlant(number));
+  std::printf("%-22s %6s %8s %8s %8s\n", "kind of finding", "count", "of plant", "wrong", "mostly");
+  for (int kind = 0; kind < findingKinds; ++kind) {
+    const Chance& one = chances[static_cast<std::size_t>(kind)];
+    std::printf("%-22s %6d %8.4f %8.3f %8.3f\n", nameOf(static_cast<Finding::Kind>(kind)).c_str(),
+                one.count, one.length / static_cast<double>(count),
+                one.length > 0 ? one.wrong / one.length : 0,
+                one.count > 0 ? double(one.mostly) / one.count : 0);
+  }
+  return 0;
+}
+
 int run(std::vector<std::string> arguments) {
   const bool isListed = std::erase(arguments, "--list") > 0;
   if (arguments.size() < 2) {
     std::puts("espalier_findings SCAN STRUCTURE [SEEDS] [--list]\n"
-              "espalier_findings --simulated|--noisy|--rough FIRST COUNT [--list]");
+              "espalier_findings --simulated|--noisy|--rough FIRST COUNT [--list]\n"
+              "espalier_findings --found FIRST COUNT");
     return 2;
   }
-  Tally all;
-  printHead();
   const auto number = [&](std::size_t at, std::uint64_t usual) {
     return arguments.size() > at ? std::stoull(arguments[at]) : usual;
   };
+  if (arguments[0] == "--found") return runFound(number(1, 0), number(2, 10));
+  Tally all;
+  printHead();
   const auto add = [&](const std::string& name, const Scanned& plant, std::uint64_t seed) {
     const Tally one = judged(plant, seed, isListed);
     printLine(name, one);

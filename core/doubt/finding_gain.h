@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/skeleton/finding.h"
+
+#include <vector>
+
+namespace espalier {
+
+/// What it is worth to look at a finding, in the measure of a doubt.
+struct FindingGain {
+  double length = 0; // [L] of the wood that it is about, or that is missing
+  double wrong = 0;  // how probably that is an error, in [0, 1]
+  double gain = 0;   // as that of a doubt: a share of the plant in [0, 1]
+};
+
+/// Of each finding. By its kind alone it is known how probably it is an error: as was measured on
+/// simulated plants that were reconstructed (espalier_findings --found).
+/// pre: `skeleton` has the nodes of the findings. O(N + findings)
+[[nodiscard]] std::vector<FindingGain> gainsOf(const std::vector<Finding>& findings,
+                                               const Skeleton& skeleton);
+
+/// The nodes whose edges a finding says are wrong: the branch that is attached wrongly, or what has
+/// no points. None where wood is missing. pre: `skeleton` has its nodes
+[[nodiscard]] std::vector<NodeId> woodOf(const Finding& finding, const Skeleton& skeleton);
+
+} // namespace espalier

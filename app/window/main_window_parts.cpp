@@ -51,6 +51,7 @@
 #include "app/window/review/findings_flow.h"
 #include "app/window/review/review_flow.h"
 #include "app/window/review/seal_flow.h"
+#include "app/window/review/suspects_flow.h"
 #include "app/window/review/worklist_flow.h"
 #include "app/window/view/close_look_flow.h"
 #include "app/window/view/explained_flow.h"
@@ -190,9 +191,8 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
   parts_.make<SavedViews>(SavedViews::Parts{*view_, parts_.get<ViewOptions>(),
                                             parts_.get<ShownFlow>(), *actions_, *this});
   auto& distances = parts_.get<ScanDistances>();
-  auto& findings = parts_.make<FindingsFlow>(
-      FindingsFlow::Parts{document_, queue_, *view_, *actions_, distances, settings_, *this,
-                          reveal(), [&editing] { editing.actOnSelected(); }});
+  auto& findings =
+      parts_.make<FindingsFlow>(FindingsFlow::Parts{document_, queue_, distances, *this});
   auto& explained = parts_.make<ExplainedFlow>(ExplainedFlow::Parts{
       document_, states, *actions_, distances, settings_, *this,
       [&findings] { return findings.usualReach(); }, [&findings] { return findings.sensitivity(); },
@@ -204,8 +204,11 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
       document_, queue_, distances, [&findings] { return findings.limits(); },
       [this] { return parts_.get<ReviewFlow>().reviewer(); },
       [this](const std::string& name) { parts_.get<ProjectFlow>().writeNow(name); }});
-  parts_.make<AskingFlow>(
-      AskingFlow::Parts{document_, *view_, *actions_, editing, doubts, settings_, *this, reveal()});
+  auto& asking = parts_.make<AskingFlow>(
+      AskingFlow::Parts{document_, *view_, *actions_, editing, doubts, *this, reveal()});
+  parts_.make<SuspectsFlow>(SuspectsFlow::Parts{document_, *view_, *actions_, distances, findings,
+                                                doubts, asking, settings_, *this, reveal(),
+                                                [&editing] { editing.actOnSelected(); }});
   parts_.make<HiddenPoints>(
       HiddenPoints::Parts{document_, parts_.get<ShownFlow>(), distances, states});
   parts_.make<PresetFlow>(PresetFlow::Parts{pipeline, *actions_, settings_, *this, document_});

@@ -95,6 +95,18 @@
         <source>a branch</source>
         <translation>une branche</translation>
     </message>
+    <message>
+        <source>No wood?</source>
+        <translation>Pas du bois&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Grows elsewhere?</source>
+        <translation>Pousse ailleurs&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Missing branch?</source>
+        <translation>Branche absente&#xa0;?</translation>
+    </message>
 </context>
 <context>
     <name>EmptyView</name>
@@ -293,6 +305,46 @@
     <message>
         <source>Bare twigs</source>
         <translation>Brindilles nues</translation>
+    </message>
+    <message>
+        <source>Separate piece</source>
+        <translation>Morceau séparé</translation>
+    </message>
+    <message>
+        <source>Lone branch</source>
+        <translation>Ramification seule</translation>
+    </message>
+    <message>
+        <source>Zero-length edge</source>
+        <translation>Arête de longueur nulle</translation>
+    </message>
+    <message>
+        <source>Duplicated edge</source>
+        <translation>Arête en double</translation>
+    </message>
+    <message>
+        <source>Sharp turn</source>
+        <translation>Virage serré</translation>
+    </message>
+    <message>
+        <source>Touching branch</source>
+        <translation>Branche qui touche</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Boucle</translation>
+    </message>
+    <message>
+        <source>Off the scan</source>
+        <translation>Hors du scan</translation>
+    </message>
+    <message>
+        <source>No own points</source>
+        <translation>Pas de points propres</translation>
+    </message>
+    <message>
+        <source>Bare twig</source>
+        <translation>Brindille nue</translation>
     </message>
 </context>
 <context>
@@ -3096,14 +3148,6 @@
         <translation>Montre ce que changeraient les probabilités, telles que les réponses les ont instruites&#xa0;; une seconde fois l’applique, en une étape</translation>
     </message>
     <message>
-        <source>Doubts Panel</source>
-        <translation>Panneau des doutes</translation>
-    </message>
-    <message>
-        <source>Shows or hides what the program is in doubt about</source>
-        <translation>Affiche ou masque ce dont le programme doute</translation>
-    </message>
-    <message>
         <source>doubts follow from the points: open a scan first</source>
         <translation>les doutes viennent des points&#xa0;: ouvrez d’abord un scan</translation>
     </message>
@@ -3136,34 +3180,6 @@
         <translation>%1 endroits sont décidés par leurs probabilités</translation>
     </message>
     <message>
-        <source>About %1 % of the length is right</source>
-        <translation>Environ %1 % de la longueur est juste</translation>
-    </message>
-    <message>
-        <source>; 1 answer would make it %1 %</source>
-        <translation>&#xa0;; 1 réponse la porterait à %1 %</translation>
-    </message>
-    <message>
-        <source>; %1 answers would make it %2 %</source>
-        <translation>&#xa0;; %1 réponses la porteraient à %2 %</translation>
-    </message>
-    <message>
-        <source>There is no skeleton to ask about yet</source>
-        <translation>Il n’y a pas encore de squelette sur lequel interroger</translation>
-    </message>
-    <message>
-        <source>Open a scan: doubts follow from its points</source>
-        <translation>Ouvrez un scan&#xa0;: les doutes viennent de ses points</translation>
-    </message>
-    <message>
-        <source>Nothing is in doubt</source>
-        <translation>Il n’y a aucun doute</translation>
-    </message>
-    <message>
-        <source>The first %1 are listed</source>
-        <translation>Les %1 premiers sont listés</translation>
-    </message>
-    <message>
         <source>Decide the Rest by Odds: once more makes the changes   {leave} drops them</source>
         <translation>Décider du reste par les probabilités&#xa0;: une seconde fois applique les changements   {leave} les abandonne</translation>
     </message>
@@ -3174,10 +3190,6 @@
     <message>
         <source>all points of the scan lie at one place: nothing follows from them that could be asked about</source>
         <translation>tous les points du scan sont au même endroit&#xa0;: rien n’en résulte sur quoi interroger</translation>
-    </message>
-    <message>
-        <source>All points of the scan lie at one place: nothing can be asked about</source>
-        <translation>Tous les points du scan sont au même endroit&#xa0;: il n’y a rien sur quoi interroger</translation>
     </message>
     <message>
         <source>The search for doubts did not end: %1.</source>
@@ -3194,6 +3206,10 @@
     <message>
         <source>{answer_none} none   {skip_doubt} skip   {take_back_answer} back   {leave} ends</source>
         <translation>{answer_none} aucune   {skip_doubt} passer   {take_back_answer} revenir   {leave} terminer</translation>
+    </message>
+    <message>
+        <source>Nothing that is listed is in doubt any more</source>
+        <translation>Plus rien de ce qui est listé n’est en doute</translation>
     </message>
 </context>
 <context>
@@ -3981,61 +3997,6 @@
     <message>
         <source>it was stopped</source>
         <translation>elle a été arrêtée</translation>
-    </message>
-</context>
-<context>
-    <name>espalier::DoubtsPanel</name>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>◂ Take Back</source>
-        <translation>◂ Retirer</translation>
-    </message>
-    <message>
-        <source>Skip ▸</source>
-        <translation>Passer ▸</translation>
-    </message>
-    <message>
-        <source>Doubts</source>
-        <translation>Doutes</translation>
-    </message>
-    <message>
-        <source>Doubt</source>
-        <translation>Doute</translation>
-    </message>
-    <message>
-        <source>Wrong</source>
-        <translation>Faux</translation>
-    </message>
-    <message>
-        <source>How probably the plant is not as it is there</source>
-        <translation>Probabilité que la plante ne soit pas ainsi à cet endroit</translation>
-    </message>
-    <message>
-        <source>1 doubt</source>
-        <translation>1 doute</translation>
-    </message>
-    <message>
-        <source>%1 doubts</source>
-        <translation>%1 doutes</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>Correct it with any tool, or go on</source>
-        <translation>Corrigez-le avec n’importe quel outil, ou continuez</translation>
-    </message>
-    <message>
-        <source>%1  %2 · %3</source>
-        <translation>%1  %2 · %3</translation>
-    </message>
-    <message>
-        <source>Of the plant before the last edits: it is computed anew</source>
-        <translation>De la plante avant les dernières modifications&#xa0;: la part est recalculée</translation>
     </message>
 </context>
 <context>
@@ -5079,171 +5040,8 @@
 <context>
     <name>espalier::FindingsFlow</name>
     <message>
-        <source>Findings</source>
-        <translation>Constats</translation>
-    </message>
-    <message>
-        <source>Next Finding</source>
-        <translation>Constat suivant</translation>
-    </message>
-    <message>
-        <source>Goes on to what the checks found next</source>
-        <translation>Va à ce que les contrôles ont trouvé ensuite</translation>
-    </message>
-    <message>
-        <source>Previous Finding</source>
-        <translation>Constat précédent</translation>
-    </message>
-    <message>
-        <source>Goes back to what the checks found before</source>
-        <translation>Revient à ce que les contrôles ont trouvé avant</translation>
-    </message>
-    <message>
-        <source>Ignore Finding</source>
-        <translation>Ignorer le constat</translation>
-    </message>
-    <message>
-        <source>Leaves the finding out of the list, or shows it again</source>
-        <translation>Laisse le constat hors de la liste, ou le réaffiche</translation>
-    </message>
-    <message>
-        <source>All Findings</source>
-        <translation>Tous les constats</translation>
-    </message>
-    <message>
-        <source>Selects the nodes of all findings of the checks</source>
-        <translation>Sélectionne les nœuds de tous les constats des contrôles</translation>
-    </message>
-    <message>
-        <source>Limits of the Checks</source>
-        <translation>Limites des contrôles</translation>
-    </message>
-    <message>
-        <source>Shows or hides from where on the checks report something</source>
-        <translation>Affiche ou masque à partir d’où les contrôles signalent quelque chose</translation>
-    </message>
-    <message>
-        <source>Findings Panel</source>
-        <translation>Panneau des constats</translation>
-    </message>
-    <message>
-        <source>Shows or hides what the checks found</source>
-        <translation>Affiche ou masque ce que les contrôles ont trouvé</translation>
-    </message>
-    <message>
         <source>Check the plant</source>
         <translation>Contrôler la plante</translation>
-    </message>
-    <message>
-        <source>There is no skeleton to check yet</source>
-        <translation>Il n’y a pas encore de squelette à contrôler</translation>
-    </message>
-    <message>
-        <source>Checking against the scan…</source>
-        <translation>Contrôle par rapport au scan…</translation>
-    </message>
-    <message>
-        <source>Nothing to look at: all checks pass</source>
-        <translation>Rien à regarder&#xa0;: tous les contrôles passent</translation>
-    </message>
-    <message>
-        <source>The checks ended: 1 finding</source>
-        <translation>Les contrôles sont terminés&#xa0;: 1 constat</translation>
-    </message>
-    <message>
-        <source>The checks ended: %1 findings</source>
-        <translation>Les contrôles sont terminés&#xa0;: %1 constats</translation>
-    </message>
-    <message>
-        <source>%1: %2 %3</source>
-        <translation>%1&#xa0;: %2 %3</translation>
-    </message>
-    <message>
-        <source>Choose a finding to ignore it</source>
-        <translation>Choisissez un constat pour l’ignorer</translation>
-    </message>
-    <message>
-        <source>Show Finding Again</source>
-        <translation>Réafficher le constat</translation>
-    </message>
-</context>
-<context>
-    <name>espalier::FindingsPanel</name>
-    <message>
-        <source>Findings</source>
-        <translation>Constats</translation>
-    </message>
-    <message>
-        <source>◂ Previous</source>
-        <translation>◂ Précédent</translation>
-    </message>
-    <message>
-        <source>Next ▸</source>
-        <translation>Suivant ▸</translation>
-    </message>
-    <message>
-        <source>Ignored</source>
-        <translation>Ignorés</translation>
-    </message>
-    <message>
-        <source>Checking against the scan…</source>
-        <translation>Contrôle par rapport au scan…</translation>
-    </message>
-    <message>
-        <source>Open a scan to check against it</source>
-        <translation>Ouvrez un scan pour contrôler par rapport à lui</translation>
-    </message>
-    <message>
-        <source>There is no skeleton to check yet</source>
-        <translation>Il n’y a pas encore de squelette à contrôler</translation>
-    </message>
-    <message>
-        <source>1 finding</source>
-        <translation>1 constat</translation>
-    </message>
-    <message>
-        <source>%1 findings</source>
-        <translation>%1 constats</translation>
-    </message>
-    <message>
-        <source>Nothing to look at so far</source>
-        <translation>Rien à regarder jusqu’ici</translation>
-    </message>
-    <message>
-        <source>Nothing to look at: all checks pass</source>
-        <translation>Rien à regarder&#xa0;: tous les contrôles passent</translation>
-    </message>
-    <message>
-        <source>node %1</source>
-        <translation>nœud %1</translation>
-    </message>
-    <message>
-        <source>%1 · alone</source>
-        <translation>%1 · seul</translation>
-    </message>
-    <message>
-        <source>%1 · %2 nodes</source>
-        <translation>%1 · %2 nœuds</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
-    </message>
-    <message>
-        <source>%1 on %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1 · %2°</source>
-        <translation>%1 · %2°</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 et %2</translation>
-    </message>
-    <message>
-        <source>%1 points · %2</source>
-        <translation>%1 points · %2</translation>
     </message>
 </context>
 <context>
@@ -13136,6 +12934,313 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     </message>
 </context>
 <context>
+    <name>espalier::SuspectsFlow</name>
+    <message>
+        <source>What May Be Wrong</source>
+        <translation>Ce qui peut être faux</translation>
+    </message>
+    <message>
+        <source>Next Finding or Doubt</source>
+        <translation>Constat ou doute suivant</translation>
+    </message>
+    <message>
+        <source>Goes on to the next place that may be wrong, what matters most first</source>
+        <translation>Va à l’endroit suivant qui peut être faux, le plus important d’abord</translation>
+    </message>
+    <message>
+        <source>Previous Finding or Doubt</source>
+        <translation>Constat ou doute précédent</translation>
+    </message>
+    <message>
+        <source>Goes back to the place before that may be wrong</source>
+        <translation>Revient à l’endroit précédent qui peut être faux</translation>
+    </message>
+    <message>
+        <source>Ignore Finding</source>
+        <translation>Ignorer le constat</translation>
+    </message>
+    <message>
+        <source>Leaves what is chosen out of the list, or shows it again</source>
+        <translation>Retire de la liste ce qui est choisi, ou l’affiche à nouveau</translation>
+    </message>
+    <message>
+        <source>All Findings</source>
+        <translation>Tous les constats</translation>
+    </message>
+    <message>
+        <source>Selects the nodes of all findings of the checks</source>
+        <translation>Sélectionne les nœuds de tous les constats des contrôles</translation>
+    </message>
+    <message>
+        <source>Limits of the Checks</source>
+        <translation>Limites des contrôles</translation>
+    </message>
+    <message>
+        <source>Shows or hides from where on the checks report something</source>
+        <translation>Affiche ou masque à partir d’où les contrôles signalent quelque chose</translation>
+    </message>
+    <message>
+        <source>List All That May Be Wrong</source>
+        <translation>Lister tout ce qui peut être faux</translation>
+    </message>
+    <message>
+        <source>Whole plant</source>
+        <translation>Toute la plante</translation>
+    </message>
+    <message>
+        <source>Lists findings and doubts of the whole plant</source>
+        <translation>Liste les constats et les doutes de toute la plante</translation>
+    </message>
+    <message>
+        <source>List What Is in the View</source>
+        <translation>Lister ce qui est dans la vue</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>Dans la vue</translation>
+    </message>
+    <message>
+        <source>Lists only findings and doubts of what is in the view now</source>
+        <translation>Ne liste que les constats et les doutes de ce qui est dans la vue maintenant</translation>
+    </message>
+    <message>
+        <source>List What Is Selected</source>
+        <translation>Lister ce qui est sélectionné</translation>
+    </message>
+    <message>
+        <source>Selected</source>
+        <translation>Sélection</translation>
+    </message>
+    <message>
+        <source>Lists only findings and doubts of the nodes that are selected now</source>
+        <translation>Ne liste que les constats et les doutes des nœuds sélectionnés maintenant</translation>
+    </message>
+    <message>
+        <source>List the Selected Axes</source>
+        <translation>Lister les axes sélectionnés</translation>
+    </message>
+    <message>
+        <source>Selected axes</source>
+        <translation>Axes sélectionnés</translation>
+    </message>
+    <message>
+        <source>Lists only findings and doubts of the axes that selected nodes are on</source>
+        <translation>Ne liste que les constats et les doutes des axes où se trouvent les nœuds sélectionnés</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Constats</translation>
+    </message>
+    <message>
+        <source>Findings and Doubts Panel</source>
+        <translation>Panneau des constats et des doutes</translation>
+    </message>
+    <message>
+        <source>Shows or hides what the checks found, and what is in doubt</source>
+        <translation>Affiche ou masque ce que les contrôles ont trouvé, et ce qui est en doute</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>All kinds</source>
+        <translation>Toutes sortes</translation>
+    </message>
+    <message>
+        <source>Ignored</source>
+        <translation>Ignorés</translation>
+    </message>
+    <message>
+        <source>The checks ended: 1 finding</source>
+        <translation>Les contrôles sont terminés&#xa0;: 1 constat</translation>
+    </message>
+    <message>
+        <source>The checks ended: %1 findings</source>
+        <translation>Les contrôles sont terminés&#xa0;: %1 constats</translation>
+    </message>
+    <message>
+        <source>Choose a finding or a doubt to ignore it</source>
+        <translation>Choisissez un constat ou un doute pour l’ignorer</translation>
+    </message>
+    <message>
+        <source>Show Doubt Again</source>
+        <translation>Afficher à nouveau le doute</translation>
+    </message>
+    <message>
+        <source>Ignore Doubt</source>
+        <translation>Ignorer le doute</translation>
+    </message>
+    <message>
+        <source>Show Finding Again</source>
+        <translation>Réafficher le constat</translation>
+    </message>
+    <message>
+        <source>select nodes first: what is selected now is listed</source>
+        <translation>sélectionnez d’abord des nœuds&#xa0;: ce qui est sélectionné maintenant est listé</translation>
+    </message>
+    <message>
+        <source>%1 · alone</source>
+        <translation>%1 · seul</translation>
+    </message>
+    <message>
+        <source>%1 · %2 nodes</source>
+        <translation>%1 · %2 nœuds</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2°</source>
+        <translation>%1 · %2°</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <source>%1
+%2 of wood, wrong with a probability of %3 %</source>
+        <translation>%1
+%2 de bois, faux avec une probabilité de %3 %</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1&#xa0;: %2 %3</translation>
+    </message>
+    <message>
+        <source>%1: Enter asks</source>
+        <translation>%1&#xa0;: Entrée pose la question</translation>
+    </message>
+    <message>
+        <source>There is no skeleton to check yet</source>
+        <translation>Il n’y a pas encore de squelette à contrôler</translation>
+    </message>
+    <message>
+        <source>1 place may be wrong</source>
+        <translation>1 endroit peut être faux</translation>
+    </message>
+    <message>
+        <source>%1 places may be wrong</source>
+        <translation>%1 endroits peuvent être faux</translation>
+    </message>
+    <message>
+        <source>Nothing to look at: all checks pass</source>
+        <translation>Rien à regarder&#xa0;: tous les contrôles passent</translation>
+    </message>
+    <message>
+        <source>Nothing to look at so far</source>
+        <translation>Rien à regarder jusqu’ici</translation>
+    </message>
+    <message>
+        <source>Open a scan to check against it, and to find what is in doubt</source>
+        <translation>Ouvrez un scan pour contrôler avec lui, et pour trouver ce qui est en doute</translation>
+    </message>
+    <message>
+        <source>Checking against the scan…</source>
+        <translation>Contrôle par rapport au scan…</translation>
+    </message>
+    <message>
+        <source>All points of the scan lie at one place: nothing can be asked about</source>
+        <translation>Tous les points du scan sont au même endroit&#xa0;: il n’y a rien sur quoi interroger</translation>
+    </message>
+    <message>
+        <source>Looking for doubts…</source>
+        <translation>Recherche de doutes…</translation>
+    </message>
+    <message>
+        <source>None of them is of this kind and part</source>
+        <translation>Aucun n’est de cette sorte et de cette partie</translation>
+    </message>
+    <message>
+        <source>About %1 % of the length is right</source>
+        <translation>Environ %1 % de la longueur est juste</translation>
+    </message>
+    <message>
+        <source>; 1 answer would make it %1 %</source>
+        <translation>&#xa0;; 1 réponse la porterait à %1 %</translation>
+    </message>
+    <message>
+        <source>; %1 answers would make it %2 %</source>
+        <translation>&#xa0;; %1 réponses la porteraient à %2 %</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::SuspectsModel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>How much of the plant, of its length and its ends, a look there probably puts right; below, the key of what helps</source>
+        <translation>Combien de la plante, de sa longueur et de ses extrémités, un regard là corrige probablement&#xa0;; dessous, la touche qui aide</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Gain</translation>
+    </message>
+    <message>
+        <source>What may be wrong, at which node, and how long, thick, sharp or large it is</source>
+        <translation>Ce qui peut être faux, à quel nœud, et sa longueur, son épaisseur, son angle ou sa taille</translation>
+    </message>
+    <message>
+        <source>What, at node</source>
+        <translation>Quoi, au nœud</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::SuspectsPanel</name>
+    <message>
+        <source>◂ Previous</source>
+        <translation>◂ Précédent</translation>
+    </message>
+    <message>
+        <source>Next ▸</source>
+        <translation>Suivant ▸</translation>
+    </message>
+    <message>
+        <source>◂ Take Back</source>
+        <translation>◂ Retirer</translation>
+    </message>
+    <message>
+        <source>Skip ▸</source>
+        <translation>Passer ▸</translation>
+    </message>
+    <message>
+        <source>Kind that is listed</source>
+        <translation>Sorte qui est listée</translation>
+    </message>
+    <message>
+        <source>Part of the plant that is listed</source>
+        <translation>Partie de la plante qui est listée</translation>
+    </message>
+    <message>
+        <source>What may be wrong</source>
+        <translation>Ce qui peut être faux</translation>
+    </message>
+    <message>
+        <source>Of the plant before the last edits: it is computed anew</source>
+        <translation>De la plante avant les dernières modifications&#xa0;: la part est recalculée</translation>
+    </message>
+    <message>
+        <source>Correct it with any tool, or go on</source>
+        <translation>Corrigez-le avec n’importe quel outil, ou continuez</translation>
+    </message>
+    <message>
+        <source>%1  %2 · %3 %</source>
+        <translation>%1  %2 · %3 %</translation>
+    </message>
+</context>
+<context>
     <name>espalier::SweepCard</name>
     <message>
         <source>in use</source>
@@ -13716,7 +13821,7 @@ Chargez une référence pour voir comment les deux s’accordent.</translation>
     </message>
     <message>
         <source>Wrote %1: %2 pictures, %3 MB</source>
-        <translation>%1 écrit : %2 images, %3 Mo</translation>
+        <translation>%1 écrit&#xa0;: %2 images, %3 Mo</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,18 @@ QString titleOf(Doubt::Kind kind) {
   return {};
 }
 
+QString nameOfOne(Doubt::Kind kind) {
+  switch (kind) {
+  case Doubt::Kind::end:
+    return DoubtText::tr("No wood?");
+  case Doubt::Kind::attachment:
+    return DoubtText::tr("Grows elsewhere?");
+  case Doubt::Kind::missing:
+    return DoubtText::tr("Missing branch?");
+  }
+  return {};
+}
+
 QString questionOf(const Doubt& doubt, LengthUnit unit) {
   const QString length = formatLength(doubt.length, unit, 2);
   switch (doubt.kind) {

@@ -45,4 +45,35 @@ QString titleOf(Finding::Kind kind) {
   return {};
 }
 
+QString nameOfOne(Finding::Kind kind) {
+  switch (kind) {
+  case Finding::Kind::separatePiece:
+    return FindingTitle::tr("Separate piece");
+  case Finding::Kind::loneBranch:
+    return FindingTitle::tr("Lone branch");
+  case Finding::Kind::noLength:
+    return FindingTitle::tr("Zero-length edge");
+  case Finding::Kind::duplicatedEdge:
+    return FindingTitle::tr("Duplicated edge");
+  case Finding::Kind::sharpTurn:
+    return FindingTitle::tr("Sharp turn");
+  case Finding::Kind::crossing:
+    return FindingTitle::tr("Touching branch");
+  case Finding::Kind::loop:
+    return FindingTitle::tr("Loop");
+  case Finding::Kind::edgesWithoutPoints:
+    return FindingTitle::tr("Off the scan");
+  case Finding::Kind::noOwnPoints:
+    return FindingTitle::tr("No own points");
+  case Finding::Kind::unexplainedPoints:
+    return FindingTitle::tr("Bare twig");
+  case Finding::Kind::twoSuccessors:
+  case Finding::Kind::radiusAboveParent:
+  case Finding::Kind::besidePoints:
+  case Finding::Kind::shortFoot:
+    break;
+  }
+  return titleOf(kind);
+}
+
 } // namespace espalier

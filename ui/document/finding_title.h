@@ -8,5 +8,7 @@ namespace espalier {
 
 /// "Sharp turns"
 [[nodiscard]] QString titleOf(Finding::Kind kind);
+/// "Sharp turn"
+[[nodiscard]] QString nameOfOne(Finding::Kind kind);
 
 } // namespace espalier

@@ -40,7 +40,8 @@ QJsonArray jsonOf(const Eigen::Vector3d& place) {
 AnsweredDoubt answeredIn(const QJsonObject& json) {
   AnsweredDoubt answered{.kind = doubtKindNamed(json["kind"].toString()),
                          .node = nodeIn(json["node"]),
-                         .step = stepIn(json["step"])};
+                         .step = stepIn(json["step"]),
+                         .isIgnored = json["ignored"].toBool()};
   answered.learned = {.kind = answered.kind,
                       .said = numberIn(json["said"]),
                       .spacings = numberIn(json["spacings"]),
@@ -77,6 +78,7 @@ std::string textOf(const std::vector<AnsweredDoubt>& answered) {
                      {"step", QString::number(static_cast<qulonglong>(one.step))}};
     if (one.kind == Doubt::Kind::missing) json["tip"] = jsonOf(one.tip);
     if (one.foot) json["foot"] = jsonOf(*one.foot);
+    if (one.isIgnored) json["ignored"] = true;
     all.append(json);
   }
   return QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString();

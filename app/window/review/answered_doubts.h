@@ -9,7 +9,8 @@
 
 namespace espalier {
 
-/// A doubt that was answered: it is not asked again, and its answer is learned from.
+/// A doubt that was answered: it is not asked again, and its answer is learned from. Or one that is
+/// ignored: it is not asked again, and nothing is learned.
 struct AnsweredDoubt {
   Doubt::Kind kind = Doubt::Kind::end;
   NodeId node{};                                 // as of the doubt
@@ -17,6 +18,7 @@ struct AnsweredDoubt {
   std::optional<Eigen::Vector3d> foot = {};      // of that; none: older projects do not have it
   LearnedAnswer learned = {};                    // of the same kind
   StepId step = {};                              // that made the answer; 0: it changed nothing
+  bool isIgnored = false;
 
   bool operator==(const AnsweredDoubt&) const = default;
 };
@@ -26,7 +28,8 @@ struct AnsweredDoubt {
 [[nodiscard]] bool isAbout(const AnsweredDoubt& answered, const Doubt& doubt, double near);
 
 /// Answers as a project keeps them: [{"kind": "end", "node": 12, "said": 0.4, "spacings": 8.5,
-/// "wrong": true, "step": "31"}]; of what is missing with "tip" and "foot": [x, y, z]. Empty: none.
+/// "wrong": true, "step": "31"}]; of what is missing with "tip" and "foot": [x, y, z], of what is
+/// ignored with "ignored": true. Empty: none.
 [[nodiscard]] std::string textOf(const std::vector<AnsweredDoubt>& answered);
 
 /// Of an empty text, none.

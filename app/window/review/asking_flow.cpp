@@ -2,12 +2,12 @@
 
 #include "app/window/edit/editing.h"
 #include "app/window/frame/action_set.h"
-#include "app/window/frame/panel_dock.h"
+#include "app/window/frame/key_hints.h"
 #include "app/window/review/doubt_ghosts.h"
 #include "core/base/error.h"
+#include "ui/document/doubt_text.h"
 #include "ui/document/length_unit.h"
 #include "ui/document/plant_document.h"
-#include "ui/panels/doubts_panel.h"
 #include "ui/view/plant_view.h"
 
 #include <QAction>
@@ -34,10 +34,8 @@ bool changesCourse(SkeletonDelta::Change change) {
 
 AskingFlow::AskingFlow(Parts parts) : parts_(std::move(parts)) {
   addActions();
-  makePanel();
   connectParts();
   refreshEnabled();
-  refreshPanel();
 }
 
 void AskingFlow::addActions() {
@@ -83,47 +81,14 @@ void AskingFlow::addActions() {
                         "skip_doubt", "take_back_answer", "stop_asking", "", "decide_rest"});
 }
 
-void AskingFlow::makePanel() {
-  const auto at = [this](const char* id) { return parts_.actions[id]; };
-  panel_ = new DoubtsPanel(parts_.document, {.ask = at("ask_doubts"),
-                                             .answers = {answers_.begin(), answers_.end()},
-                                             .none = at("answer_none"),
-                                             .skip = at("skip_doubt"),
-                                             .takeBack = at("take_back_answer"),
-                                             .decideRest = at("decide_rest")});
-  dock_ = addDock(new PanelDock({parts_.actions, parts_.settings, parts_.window},
-                                {.id = "doubts",
-                                 .title = tr("Doubts"),
-                                 .text = tr("Doubts Panel"),
-                                 .help = tr("Shows or hides what the program is in doubt about"),
-                                 .keys = QKeySequence(Qt::SHIFT | Qt::Key_F2),
-                                 .manual = "checks.md#doubts"},
-                                besideThePlant, panel_, this));
-}
-
 void AskingFlow::connectParts() {
   PlantDocument& document = parts_.document;
-  panelTimer_.setSingleShot(true);
-  connect(&panelTimer_, &QTimer::timeout, this, &AskingFlow::refreshPanel);
   editEnds_.setInterval(50); // [ms]
   connect(&editEnds_, &QTimer::timeout, this, &AskingFlow::takeEdit);
   connect(&parts_.doubts, &DoubtsFlow::changed, this, &AskingFlow::followDoubts);
-  connect(dock_, &PanelDock::shown, this, [this](bool isShown) {
-    parts_.doubts.setWanted(DoubtsFlow::Use::panel, isShown);
-    if (isShown) panelTimer_.start(0);
-  });
-  connect(panel_, &DoubtsPanel::chosen, this, [this](const Doubt& doubt) {
-    if (!parts_.actions["ask_doubts"]->isEnabled()) return;
-    const auto act = [&] {
-      begin(doubt);
-      return true;
-    };
-    parts_.actions.guarded(act, Refusal::inBanner);
-  });
   connect(&document, &PlantDocument::skeletonEdited, this, &AskingFlow::noteEdit);
   connect(&document, &PlantDocument::unitChanged, this, [this] {
-    panel_->setCurrent(current_, isByHand_);
-    refreshPanel();
+    if (current_) emit asked(current_, isByHand_);
   });
   for (auto signal : {&PlantDocument::skeletonReplaced, &PlantDocument::scanChanged,
                       &PlantDocument::leftOutChanged})
@@ -137,6 +102,20 @@ void AskingFlow::connectParts() {
     stopAsking();
     refreshEnabled();
   });
+}
+
+void AskingFlow::askOnlyAbout(std::function<bool(const Doubt&)> isAskedAbout) {
+  isAskedAbout_ = std::move(isAskedAbout);
+}
+
+void AskingFlow::askAbout(const Doubt& doubt) {
+  if (!isThere(doubt, parts_.document.skeleton())) return;
+  if (!parts_.actions["ask_doubts"]->isEnabled()) return look(doubt);
+  const auto act = [&] {
+    begin(doubt);
+    return true;
+  };
+  parts_.actions.guarded(act, Refusal::inBanner);
 }
 
 void AskingFlow::setEnabled(bool isEnabled) {
@@ -167,7 +146,7 @@ void AskingFlow::begin(const std::optional<Doubt>& first) {
                     .toStdString());
   parts_.document.requireEditable();
   if (!isAsking_) {
-    dock_->bringToFront();
+    emit begun();
     isAsking_ = true;
     isRestShown_ = false;
     skipped_.clear();
@@ -186,7 +165,7 @@ void AskingFlow::wait() {
   isByHand_ = false;
   isAwaited_ = true;
   draw();
-  panel_->setCurrent(std::nullopt, false);
+  emit asked(std::nullopt, false);
   refreshEnabled();
   emit hintChanged();
 }
@@ -202,7 +181,7 @@ void AskingFlow::stopAsking() {
   parts_.doubts.setWanted(DoubtsFlow::Use::asking, false);
   giveKeysBack();
   draw();
-  panel_->setCurrent(std::nullopt, false);
+  emit asked(std::nullopt, false);
   refreshEnabled();
   emit hintChanged();
 }
@@ -234,18 +213,20 @@ bool AskingFlow::isSkipped(const Doubt& doubt) const {
 
 void AskingFlow::goOn() {
   const std::vector<Doubt>& doubts = parts_.doubts.doubts();
-  auto next = std::ranges::find_if(doubts, [this](const Doubt& one) { return !isSkipped(one); });
-  if (next == doubts.end() && !doubts.empty()) {
+  const auto isNext = [this](const Doubt& one) { return !isSkipped(one) && isAskedAbout_(one); };
+  auto next = std::ranges::find_if(doubts, isNext);
+  if (next == doubts.end()) {
     skipped_.clear(); // all others were asked
-    next = doubts.begin();
+    next = std::ranges::find_if(doubts, isNext);
   }
   if (next != doubts.end()) return goTo(*next);
   if (parts_.doubts.isBusy()) return wait();
   stopAsking();
   if (!parts_.doubts.failure().isEmpty())
-    emit failed(noteText());
+    emit failed(failureText());
   else
-    emit noted(tr("Nothing is in doubt any more"));
+    emit noted(parts_.doubts.doubts().empty() ? tr("Nothing is in doubt any more")
+                                              : tr("Nothing that is listed is in doubt any more"));
 }
 
 void AskingFlow::goTo(const Doubt& doubt) {
@@ -259,12 +240,9 @@ void AskingFlow::goTo(const Doubt& doubt) {
   isByHand_ = false;
   isAwaited_ = false;
   isRestShown_ = false;
-  parts_.document.selection().set(doubt.nodes.empty() ? std::vector<NodeId>{doubt.node}
-                                                      : doubt.nodes);
-  parts_.editing.actOnSelected();
   draw();
-  fly();
-  panel_->setCurrent(current_, false);
+  look(*current_);
+  emit asked(current_, false);
   refreshEnabled();
   emit hintChanged();
 }
@@ -279,10 +257,13 @@ void AskingFlow::draw() {
     parts_.view.showGhosts({});
 }
 
-/// To where most of it is seen, and the alternatives apart.
-void AskingFlow::fly() {
+/// Selects its wood, and goes to where most of it is seen, and the alternatives apart.
+void AskingFlow::look(const Doubt& doubt) {
   const Skeleton& skeleton = parts_.document.skeleton();
-  const Sight sight = sightOf(skeleton, *current_);
+  parts_.document.selection().set(doubt.nodes.empty() ? std::vector<NodeId>{doubt.node}
+                                                      : doubt.nodes);
+  parts_.editing.actOnSelected();
+  const Sight sight = sightOf(skeleton, doubt);
   const Camera camera = parts_.view.cameraToSee(sight);
   const QString note = parts_.reveal(sight.nodes, sight.places, camera);
   parts_.view.flyTo(camera, focusOn(skeleton, sight));
@@ -308,7 +289,7 @@ void AskingFlow::answerNone() {
   asked_.push_back(*current_);
   isByHand_ = true;
   draw();
-  panel_->setCurrent(current_, true);
+  emit asked(current_, true);
   refreshEnabled();
   emit hintChanged();
 }
@@ -397,7 +378,7 @@ void AskingFlow::decideRest() {
     return;
   }
   if (!isRestShown_) {
-    dock_->bringToFront();
+    emit begun();
     isRestShown_ = true;
     draw();
     parts_.view.frameAll();
@@ -419,7 +400,6 @@ void AskingFlow::decideRest() {
 }
 
 void AskingFlow::followDoubts() {
-  if (dock_->isShown()) panelTimer_.start(0);
   refreshEnabled();
   if (isRestShown_) draw();
   if (!isAsking_ || isOwnEdit_) return;
@@ -437,15 +417,28 @@ void AskingFlow::askAgain() {
   goOn();
 }
 
-void AskingFlow::refreshPanel() {
-  std::vector<Doubt> doubts = parts_.doubts.doubts();
-  const std::size_t all = doubts.size();
-  if (doubts.size() > mostListed) doubts.resize(mostListed);
-  panel_->show(doubts, all);
-  const bool isOfNow = !parts_.doubts.isBusy();
-  if (isOfNow) agreement_ = agreementText();
-  panel_->showAgreement(agreement_, isOfNow);
-  panel_->showNote(noteText());
+QString AskingFlow::failureText() const {
+  return tr("The search for doubts did not end: %1.").arg(parts_.doubts.failure()) + ' ' +
+         withKeys(tr("{ask_doubts} searches again"), parts_.actions);
+}
+
+QString AskingFlow::hint() const {
+  if (isRestShown_)
+    return withKeys(tr("Decide the Rest by Odds: once more makes the changes   {leave} drops them"),
+                    parts_.actions);
+  if (!isAsking_ || parts_.editing.isPending()) return {};
+  if (isByHand_)
+    return withKeys(tr("Correct it with any tool   {skip_doubt} goes on   {take_back_answer} takes "
+                       "back   {leave} ends"),
+                    parts_.actions);
+  if (!current_) return withKeys(tr("Looking for doubts…   {leave} ends"), parts_.actions);
+  QStringList parts;
+  for (std::size_t i = 0; i < current_->alternatives.size(); ++i)
+    parts.append(QString("%1 %2").arg(i + 1).arg(textOf(*current_, current_->alternatives[i])));
+  parts.append(withKeys(
+      tr("{answer_none} none   {skip_doubt} skip   {take_back_answer} back   {leave} ends"),
+      parts_.actions));
+  return parts.join("   ");
 }
 
 } // namespace espalier

@@ -10,20 +10,18 @@
 #include <QTimer>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
 
 class QAction;
 class QMainWindow;
-class QSettings;
 
 namespace espalier {
 
 class ActionSet;
-class DoubtsPanel;
 class Editing;
-class PanelDock;
 class PlantView;
 
 /// Asks about what is in doubt, what matters most first: flies to where the alternatives are seen
@@ -42,7 +40,6 @@ public:
     ActionSet& actions;
     Editing& editing;
     DoubtsFlow& doubts;
-    QSettings& settings;
     QMainWindow& window;
     Reveal reveal;
   };
@@ -52,20 +49,26 @@ public:
   [[nodiscard]] QString hint() const override;
   /// Something is asked, or is shown to be decided: stopAsking() ends it.
   [[nodiscard]] bool isShowing() const { return isAsking_ || isRestShown_; }
+  void askAbout(const Doubt& doubt); // where it may not ask, it only goes there
   void stopAsking();
+  /// Which doubts it goes through by itself; at first all.
+  void askOnlyAbout(std::function<bool(const Doubt&)> isAskedAbout);
+  [[nodiscard]] QString failureText() const; // of the search for doubts
+
+signals:
+  void begun();
+  /// @param isByHand no alternative was right: it is corrected with a tool
+  void asked(const std::optional<espalier::Doubt>& doubt, bool isByHand); // none: nothing is
 
 private:
-  static constexpr std::size_t mostListed = 200; // doubts, that a person looks at
-
   void addActions();
-  void makePanel();
   void connectParts();
   void begin(const std::optional<Doubt>& first = {}); // none: what matters most
   void borrowKeys();
   void giveKeysBack();
   void goOn(); // to the next doubt
   void goTo(const Doubt& doubt);
-  void fly();
+  void look(const Doubt& doubt);
   void draw();
   void answer(std::size_t alternative);
   void answerNone();
@@ -80,15 +83,11 @@ private:
   /// Whether the wood that is asked about is gone, for the most part, or grows from other wood now.
   [[nodiscard]] bool isMadeOtherwise() const;
   [[nodiscard]] StepId lastStep() const; // that is done; 0: none
-  void refreshPanel();
   void refreshEnabled();
-  [[nodiscard]] QString agreementText() const;
-  [[nodiscard]] QString noteText() const;
   [[nodiscard]] bool isSkipped(const Doubt& doubt) const;
 
   Parts parts_;
-  DoubtsPanel* panel_ = nullptr;
-  PanelDock* dock_ = nullptr;
+  std::function<bool(const Doubt&)> isAskedAbout_ = [](const Doubt&) { return true; };
   QList<QAction*> answers_; // by alternative
   QList<QAction*> keys_;    // on while it asks
   std::vector<std::pair<QPointer<QAction>, QList<QKeySequence>>> borrowed_;
@@ -105,9 +104,7 @@ private:
   bool isOwnEdit_ = false;
   bool isWoodEdited_ = false; // that is asked about, rather than what an alternative refers to
   QTimer editEnds_;           // runs while wood that is asked about is edited by hand
-  QTimer panelTimer_;
-  bool isRestShown_ = false; // what the odds would decide: the same action makes it
-  QString agreement_;        // as it was known last
+  bool isRestShown_ = false;  // what the odds would decide: the same action makes it
   bool isEnabled_ = true;
 };
 

@@ -23,6 +23,13 @@ bool isReviewed(const Doubt& doubt, const Skeleton& skeleton) {
   });
 }
 
+/// What an answer or a doubt is about, that is kept.
+AnsweredDoubt keptOf(const Doubt& doubt) {
+  AnsweredDoubt kept{.kind = doubt.kind, .node = doubt.node};
+  if (const auto ends = endsOfAdded(doubt)) std::tie(kept.foot, kept.tip) = *ends;
+  return kept;
+}
+
 } // namespace
 
 DoubtsFlow::DoubtsFlow(const Parts& parts)
@@ -158,19 +165,39 @@ void DoubtsFlow::refresh() {
       });
 }
 
-/// What is still to be asked: neither answered nor reviewed.
+/// What is still to be asked: neither answered, ignored nor reviewed.
 void DoubtsFlow::list() {
   const double spacing = parts_.document.scale().spacing;
   const Skeleton& skeleton = parts_.document.skeleton();
   std::vector<Doubt> left;
+  std::vector<Doubt> ignored;
   for (const Doubt& doubt : found_) {
-    const bool isAnswered = std::ranges::any_of(held_, [&](const AnsweredDoubt& answered) {
-      return isAbout(answered, doubt, 4 * spacing);
-    });
-    if (!isAnswered && !isReviewed(doubt, skeleton)) left.push_back(doubt);
+    if (isReviewed(doubt, skeleton)) continue;
+    const auto answered = std::ranges::find_if(
+        held_, [&](const AnsweredDoubt& one) { return isAbout(one, doubt, 4 * spacing); });
+    if (answered == held_.end())
+      left.push_back(doubt);
+    else if (answered->isIgnored)
+      ignored.push_back(doubt);
   }
   doubts_ = learned_.adjusted(std::move(left), spacing);
+  ignored_ = learned_.adjusted(std::move(ignored), spacing);
   emit changed();
+}
+
+void DoubtsFlow::ignore(const Doubt& doubt) {
+  AnsweredDoubt ignored = keptOf(doubt);
+  ignored.isIgnored = true;
+  note(ignored, doubt);
+}
+
+void DoubtsFlow::stopIgnoring(const Doubt& doubt) {
+  const double near = 4 * parts_.document.scale().spacing;
+  std::erase_if(answered_, [&](const AnsweredDoubt& one) {
+    return one.isIgnored && isAbout(one, doubt, near);
+  });
+  learnAnew();
+  keepAnswers();
 }
 
 bool DoubtsFlow::isListed(const Doubt& doubt) const {
@@ -183,14 +210,15 @@ bool DoubtsFlow::holds(const AnsweredDoubt& answered) const {
 }
 
 void DoubtsFlow::learnAnew() {
-  held_.clear();
+  std::vector<AnsweredDoubt> held;
   std::vector<LearnedAnswer> answers;
   for (const AnsweredDoubt& answered : answered_) {
     if (!holds(answered)) continue;
-    held_.push_back(answered);
-    answers.push_back(answered.learned);
+    held.push_back(answered);
+    if (!answered.isIgnored) answers.push_back(answered.learned);
   }
-  if (answers == learned_.answers()) return;
+  if (held == held_) return;
+  held_ = std::move(held);
   learned_ = LearnedOdds(std::move(answers));
   list();
 }
@@ -203,12 +231,19 @@ LearnedAnswer DoubtsFlow::learnedOf(const Doubt& doubt) const {
 }
 
 void DoubtsFlow::note(const Doubt& doubt, LearnedAnswer learned, bool wasWrong, StepId step) {
-  learned.wasWrong = wasWrong;
+  AnsweredDoubt answered = keptOf(doubt);
+  answered.learned = learned;
+  answered.learned.wasWrong = wasWrong;
+  answered.step = step;
+  note(answered, doubt);
+}
+
+void DoubtsFlow::note(AnsweredDoubt answered, const Doubt& doubt) {
+  const double near = 4 * parts_.document.scale().spacing;
   std::erase_if(answered_, [&](const AnsweredDoubt& before) { // undone, and answered otherwise now
-    return !holds(before) && isAbout(before, doubt, 0);
+    return before.isIgnored ? isAbout(before, doubt, near)
+                            : !holds(before) && isAbout(before, doubt, 0);
   });
-  AnsweredDoubt answered{.kind = doubt.kind, .node = doubt.node, .learned = learned, .step = step};
-  if (const auto ends = endsOfAdded(doubt)) std::tie(answered.foot, answered.tip) = *ends;
   answered_.push_back(answered);
   learnAnew();
   keepAnswers();
@@ -259,13 +294,16 @@ void DoubtsFlow::takeEdit(const Doubt& doubt, LearnedAnswer learned, bool wasWro
 }
 
 bool DoubtsFlow::isAnswered(const Doubt& doubt) const {
-  return std::ranges::any_of(
-      held_, [&](const AnsweredDoubt& answered) { return isAbout(answered, doubt, 0); });
+  return std::ranges::any_of(held_, [&](const AnsweredDoubt& answered) {
+    return !answered.isIgnored && isAbout(answered, doubt, 0);
+  });
 }
 
 AnsweredDoubt DoubtsFlow::takeBack() {
-  if (held_.empty()) throw Error(tr("no answer is left to be taken back").toStdString());
-  AnsweredDoubt last = held_.back();
+  const auto at = std::find_if_not(held_.rbegin(), held_.rend(),
+                                   [](const AnsweredDoubt& one) { return one.isIgnored; });
+  if (at == held_.rend()) throw Error(tr("no answer is left to be taken back").toStdString());
+  AnsweredDoubt last = *at;
   QUndoStack& stack = parts_.document.undoStack();
   if (last.step != StepId{}) {
     parts_.document.requireEditable();

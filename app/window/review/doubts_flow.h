@@ -41,6 +41,9 @@ public:
 
   /// Those that are to be asked, by their gain as learned.
   [[nodiscard]] const std::vector<Doubt>& doubts() const { return doubts_; }
+  [[nodiscard]] const std::vector<Doubt>& ignored() const { return ignored_; } // likewise
+  void ignore(const Doubt& doubt); // it is not asked until it is ignored no more
+  void stopIgnoring(const Doubt& doubt);
   [[nodiscard]] bool isKnown() const { return ratings_.has_value(); } // they were found once
   /// Those of the plant as it is are being found.
   [[nodiscard]] bool isBusy() const override;
@@ -88,6 +91,7 @@ private:
   void refresh();
   void list();
   void note(const Doubt& doubt, LearnedAnswer learned, bool wasWrong, StepId step);
+  void note(AnsweredDoubt answered, const Doubt& doubt);
   void keepAnswers(); // on the disk, at once
   [[nodiscard]] StepId editAs(const QString& text,
                               const std::function<void(SkeletonEditor&)>& change);
@@ -99,6 +103,7 @@ private:
   std::set<Use> uses_;
   std::vector<Doubt> found_; // with odds as they were fitted
   std::vector<Doubt> doubts_;
+  std::vector<Doubt> ignored_;
   std::optional<ErrorRatings> ratings_;
   LearnedOdds learned_;
   std::vector<AnsweredDoubt> answered_; // also those whose step is undone, which may be redone

@@ -1,36 +1,29 @@
 #pragma once
 
-#include "app/window/frame/reveal.h"
 #include "app/window/frame/scan_distances.h"
 #include "app/window/frame/window_part.h"
 #include "core/base/spatial_index.h"
 #include "core/skeleton/check_options.h"
 #include "core/skeleton/finding.h"
 
-#include <QString>
 #include <QTimer>
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-class QMainWindow;
-class QSettings;
+class QWidget;
 
 namespace espalier {
 
-class ActionSet;
-class FindingsPanel;
-class PanelDock;
+class CheckForm;
 class PlantDocument;
-class PlantView;
 
-/// The checks of the plant: their findings in a panel, the walk to each, and the ignored ones.
+/// The checks of the plant, with their limits, their findings, and which of these are ignored.
 ///
 /// The skeleton is checked a moment after an edit, a large one and the scan against it as a job,
-/// which a later edit replaces. Nothing is checked while nobody looks.
+/// which a later edit replaces. Nothing is checked while nobody wants it.
 class FindingsFlow : public WindowPart {
   Q_OBJECT
 
@@ -39,21 +32,24 @@ public:
   struct Parts {
     PlantDocument& document;
     JobQueue& queue;
-    PlantView& view;
-    ActionSet& actions;
     ScanDistances& distances;
-    QSettings& settings;
-    QMainWindow& window;
-    Reveal reveal;
-    std::function<void()> actOnSelected; // keys, whatever the pointer is on, until it moves
+    QWidget& window;
   };
   explicit FindingsFlow(const Parts& parts);
+
+  void setWanted(bool isWanted);
+  void checkNow(); // what an edit has put off
+  [[nodiscard]] bool isAllChecked() const;
+  [[nodiscard]] CheckForm& checks() const { return *checks_; } // to be shown by who lists findings
 
   /// Those that are not ignored, as they were last found.
   [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
   [[nodiscard]] const std::vector<Finding>& ignored() const { return shownIgnored_; }
   [[nodiscard]] bool isIgnored(const Finding& finding) const;
-  void ignore(const Finding& finding);        // that was looked at elsewhere
+  void ignore(const Finding& finding);
+  void stopIgnoring(const Finding& finding);
+  /// Whether the points of findings are, by their number, those of the distances of now.
+  [[nodiscard]] bool arePointsOfNow() const;
   [[nodiscard]] bool isBusy() const override; // the findings are not of the plant as it is
 
   /// How far from the wood points are unexplained at the usual sensitivity [L], and the sensitivity
@@ -64,6 +60,8 @@ public:
   void setSensitivity(double sensitivity);   // kept in the project
 
 signals:
+  void changed(); // what is found or ignored
+  void checked(); // a job ended
   void limitsChanged();
 
 private:
@@ -78,8 +76,6 @@ private:
     std::vector<Finding> reportedOfScan = {};
     std::shared_ptr<const Indexed> indexed; // null: there is no scan
   };
-  void addActions();
-  void makePanel();
   /// @param text  what is ignored, as JSON; empty: nothing
   /// @throws Error if it is no such text; nothing is ignored then
   void show(const std::string& text);
@@ -92,28 +88,16 @@ private:
   void startJob();
   void take(Found found);
   [[nodiscard]] double spacing() const; // between points [L]; 0: there is no scan
-  [[nodiscard]] bool isAllChecked() const;
-  void list();     // what was found last, without what is gone
+  void list();                          // what was found last, without what is gone
   void noteOpen(); // how many are open, for what shows the project without checking it
-  void step(int by);
-  void noteNothing();
-  void answer();
-  void goTo(const Finding& finding);
-  void showSentence();
-  [[nodiscard]] QString sentenceOf(const Finding& finding) const;
-  void toggleIgnored();
-  void showAction();
-  void selectAll();
 
   Parts parts_;
-  FindingsPanel* panel_ = nullptr;
-  PanelDock* dock_ = nullptr;
+  CheckForm* checks_;
+  bool isWanted_ = false;
   QTimer timer_;
   JobSlot job_{parts_.queue, JobPriority::background};
   bool isJobOutdated_ = false;
   bool isCheckedAtOnce_ = true;
-  bool isAwaited_ = false;     // one has asked for findings before there were any
-  int awaitedStep_ = 0;        // where to then: as of step(); 0: one only waits for the result
   bool isScanChecked_ = false; // against the skeleton of now
   std::shared_ptr<const Indexed> indexed_;
   mutable std::optional<double> unit_; // of lengths of the checks [L]; none: to be found anew

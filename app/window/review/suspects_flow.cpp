@@ -1,0 +1,407 @@
+#include "app/window/review/suspects_flow.h"
+
+#include "app/window/frame/action_set.h"
+#include "app/window/frame/panel_dock.h"
+#include "app/window/review/asking_flow.h"
+#include "app/window/review/finding_remedy.h"
+#include "app/window/review/findings_flow.h"
+#include "core/base/error.h"
+#include "core/doubt/finding_gain.h"
+#include "core/skeleton/path_edits.h"
+#include "core/skeleton/select.h"
+#include "ui/document/doubt_text.h"
+#include "ui/document/finding_title.h"
+#include "ui/document/plant_document.h"
+#include "ui/panels/check_form.h"
+#include "ui/panels/suspects_panel.h"
+#include "ui/view/plant_view.h"
+
+#include <QAction>
+#include <QScopedValueRollback>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
+
+namespace espalier {
+namespace {
+
+constexpr int allKinds = -1; // beside those of Suspect
+constexpr int ignoredKind = findingKinds + doubtKinds;
+
+std::vector<NodeId> placesOf(const Doubt& doubt) {
+  return doubt.nodes.empty() ? std::vector<NodeId>{doubt.node} : doubt.nodes;
+}
+
+} // namespace
+
+SuspectsFlow::SuspectsFlow(Parts parts) : parts_(std::move(parts)), kind_(allKinds) {
+  addActions();
+  makePanel();
+  connectParts();
+  refresh();
+  showAction();
+}
+
+void SuspectsFlow::addActions() {
+  parts_.actions.beginSection(tr("What May Be Wrong"));
+  const auto add = [this](const char* id, const QString& text, const QString& help,
+                          const QKeySequence& keys, const std::function<void()>& act) {
+    return parts_.actions.add({.id = id, .text = text, .help = help, .keys = keys}, act);
+  };
+  add("next_finding", tr("Next Finding or Doubt"),
+      tr("Goes on to the next place that may be wrong, what matters most first"), Qt::Key_F4,
+      [this] { step(1); });
+  add("previous_finding", tr("Previous Finding or Doubt"),
+      tr("Goes back to the place before that may be wrong"), QKeySequence(Qt::SHIFT | Qt::Key_F4),
+      [this] { step(-1); });
+  add("ignore_finding", tr("Ignore Finding"),
+      tr("Leaves what is chosen out of the list, or shows it again"),
+      QKeySequence(Qt::CTRL | Qt::Key_F4), [this] { toggleIgnored(); });
+  add("select_findings", tr("All Findings"), tr("Selects the nodes of all findings of the checks"),
+      {}, [this] { selectAll(); });
+  add("check_limits", tr("Limits of the Checks"),
+      tr("Shows or hides from where on the checks report something"), {}, [this] {
+        const bool isOpen = dock_->isShown() && parts_.findings.checks().isOpen();
+        dock_->bringToFront();
+        parts_.findings.checks().setOpen(!isOpen);
+      });
+  const auto addListed = [&](const char* id, Listed listed, const QString& text,
+                             const QString& brief, const QString& help) {
+    add(id, text, help, {}, [this, listed] { listOnly(listed); })->setIconText(brief);
+  };
+  addListed("list_all", Listed::all, tr("List All That May Be Wrong"), tr("Whole plant"),
+            tr("Lists findings and doubts of the whole plant"));
+  addListed("list_in_view", Listed::inView, tr("List What Is in the View"), tr("In the view"),
+            tr("Lists only findings and doubts of what is in the view now"));
+  addListed("list_selected", Listed::selected, tr("List What Is Selected"), tr("Selected"),
+            tr("Lists only findings and doubts of the nodes that are selected now"));
+  addListed("list_axes", Listed::axes, tr("List the Selected Axes"), tr("Selected axes"),
+            tr("Lists only findings and doubts of the axes that selected nodes are on"));
+  parts_.actions.place("review/findings",
+                       {"next_finding", "previous_finding", "ignore_finding", "check_limits", "",
+                        "list_all", "list_in_view", "list_selected", "list_axes"});
+  parts_.actions.place("select/findings", {"select_findings"});
+}
+
+void SuspectsFlow::makePanel() {
+  const auto at = [this](const char* id) { return parts_.actions[id]; };
+  panel_ = new SuspectsPanel(
+      parts_.document,
+      {.ask = at("ask_doubts"),
+       .answers = {at("answer_1"), at("answer_2"), at("answer_3"), at("answer_4")},
+       .none = at("answer_none"),
+       .skip = at("skip_doubt"),
+       .takeBack = at("take_back_answer"),
+       .decideRest = at("decide_rest"),
+       .previous = at("previous_finding"),
+       .next = at("next_finding"),
+       .ignore = at("ignore_finding"),
+       .places = {at("list_all"), at("list_in_view"), at("list_selected"), at("list_axes")}},
+      parts_.findings.checks(), [this](const Suspect& suspect) { return textOf(suspect); });
+  dock_ = addDock(
+      new PanelDock({parts_.actions, parts_.settings, parts_.window},
+                    {.id = "findings",
+                     .title = tr("Findings"),
+                     .text = tr("Findings and Doubts Panel"),
+                     .help = tr("Shows or hides what the checks found, and what is in doubt"),
+                     .keys = Qt::Key_F8,
+                     .manual = "checks.md"},
+                    besideThePlant, panel_, this));
+  at("show_findings")->setShortcuts({Qt::Key_F8, QKeySequence(Qt::SHIFT | Qt::Key_F2)});
+}
+
+void SuspectsFlow::connectParts() {
+  PlantDocument& document = parts_.document;
+  agreementTimer_.setSingleShot(true);
+  connect(&agreementTimer_, &QTimer::timeout, this, &SuspectsFlow::refreshAgreement);
+  connect(&parts_.findings, &FindingsFlow::changed, this, &SuspectsFlow::refresh);
+  connect(&parts_.findings, &FindingsFlow::checked, this, [this] {
+    refreshTexts();
+    answer();
+  });
+  connect(&parts_.doubts, &DoubtsFlow::changed, this, [this] {
+    refresh();
+    if (dock_->isShown()) agreementTimer_.start(0);
+  });
+  connect(&parts_.asking, &AskingFlow::asked, this, &SuspectsFlow::showAsked);
+  connect(&parts_.asking, &AskingFlow::begun, dock_, &PanelDock::bringToFront);
+  parts_.asking.askOnlyAbout([this](const Doubt& doubt) { return isListed(doubt); });
+  connect(&document.selection(), &Selection::changed, this, [this] { awaitedStep_ = 0; });
+  connect(&document, &PlantDocument::skeletonEdited, this, [this] { awaitedStep_ = 0; });
+  connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
+    listed_ = Listed::all;
+    kind_ = allKinds;
+    refresh();
+  });
+  connect(&document, &PlantDocument::unitChanged, this, [this] { refresh(); });
+  connect(dock_, &PanelDock::shown, this, [this](bool isShown) {
+    parts_.doubts.setWanted(DoubtsFlow::Use::panel, isShown);
+    parts_.findings.setWanted(isShown);
+    isAwaited_ = false;
+    refresh();
+    if (isShown) agreementTimer_.start(0);
+  });
+  connect(panel_, &SuspectsPanel::chosen, this, &SuspectsFlow::choose);
+  connect(panel_, &SuspectsPanel::kindChosen, this, [this](int kind) {
+    kind_ = kind;
+    refresh();
+  });
+  connect(panel_, &SuspectsPanel::currentChanged, this, [this] {
+    if (isRefreshing_) return;
+    const auto row = panel_->current();
+    current_ = row ? std::optional(whatOf(panel_->suspects()[*row])) : std::nullopt;
+    refreshTexts();
+    showAction();
+  });
+}
+
+bool SuspectsFlow::isListedPlace(const std::vector<NodeId>& nodes) const {
+  return listed_ == Listed::all || std::ranges::any_of(nodes, [this](NodeId id) {
+           return indexOf(id) >= isIn_.size() || isIn_[indexOf(id)];
+         });
+}
+
+bool SuspectsFlow::isListed(const Doubt& doubt) const {
+  const bool isOfKind = kind_ < findingKinds || kind_ == ignoredKind ||
+                        kind_ == findingKinds + static_cast<int>(doubt.kind);
+  return isOfKind && isListedPlace(placesOf(doubt));
+}
+
+const Finding& SuspectsFlow::findingOf(const Suspect& suspect) const {
+  return (suspect.isIgnored() ? parts_.findings.ignored()
+                              : parts_.findings.findings())[suspect.number];
+}
+
+const Doubt& SuspectsFlow::doubtOf(const Suspect& suspect) const {
+  return (suspect.isIgnored() ? parts_.doubts.ignored() : parts_.doubts.doubts())[suspect.number];
+}
+
+SuspectsFlow::What SuspectsFlow::whatOf(const Suspect& suspect) const {
+  return suspect.isDoubt() ? What(doubtOf(suspect)) : What(findingOf(suspect));
+}
+
+/// Those of the part of the plant that is listed, what matters most first.
+std::vector<Suspect> SuspectsFlow::suspects(bool areIgnored) const {
+  using Sort = Suspect::Sort;
+  const std::vector<Finding>& findings =
+      areIgnored ? parts_.findings.ignored() : parts_.findings.findings();
+  const std::vector<Doubt>& doubts = areIgnored ? parts_.doubts.ignored() : parts_.doubts.doubts();
+  const std::vector<FindingGain> gains = gainsOf(findings, parts_.document.skeleton());
+  std::vector<Suspect> all;
+  for (std::size_t i = 0; i < findings.size(); ++i)
+    if (isListedPlace(nodesOf(findings[i])))
+      all.push_back({areIgnored ? Sort::ignoredFinding : Sort::finding, i,
+                     static_cast<int>(findings[i].kind), gains[i].length, gains[i].wrong,
+                     gains[i].gain});
+  for (std::size_t i = 0; i < doubts.size(); ++i)
+    if (isListedPlace(placesOf(doubts[i])))
+      all.push_back({areIgnored ? Sort::ignoredDoubt : Sort::doubt, i,
+                     findingKinds + static_cast<int>(doubts[i].kind), doubts[i].length,
+                     doubts[i].wrong(), doubts[i].gain});
+  std::ranges::stable_sort(all, std::greater(), &Suspect::gain);
+  return all;
+}
+
+void SuspectsFlow::refresh() {
+  if (!dock_->isShown()) return panel_->show({});
+  count_ = parts_.findings.findings().size() + parts_.doubts.doubts().size();
+  std::vector<Suspect> all = suspects(false);
+  std::vector<Suspect> ignored = suspects(true);
+  if (kind_ == ignoredKind && ignored.empty()) kind_ = allKinds;
+  {
+    const QScopedValueRollback refreshing(isRefreshing_, true);
+    showKinds(all, ignored.size());
+    panel_->showPlace(static_cast<std::size_t>(listed_));
+    if (kind_ == ignoredKind) all = std::move(ignored);
+    if (kind_ >= 0 && kind_ != ignoredKind)
+      std::erase_if(all, [this](const Suspect& one) { return one.kind != kind_; });
+    panel_->show(std::move(all));
+    const auto row = current_ ? rowOf(*current_) : std::nullopt;
+    if (!row) current_.reset();
+    panel_->setCurrent(row);
+  }
+  refreshTexts();
+  showAction();
+  if (awaitedStep_ != 0) answer();
+}
+
+void SuspectsFlow::showKinds(const std::vector<Suspect>& all, std::size_t ignored) {
+  std::map<int, std::size_t> counts;
+  for (const Suspect& suspect : all)
+    ++counts[suspect.kind];
+  if (kind_ >= 0 && kind_ != ignoredKind) counts.try_emplace(kind_, 0U); // that is chosen
+  std::vector<SuspectsPanel::Kind> kinds;
+  const auto add = [&](int kind, const QString& title, std::size_t count) {
+    kinds.push_back({tr("%1 (%2)").arg(title, formatCount(count)), kind});
+  };
+  if (!counts.empty() || ignored > 0) add(allKinds, tr("All kinds"), all.size());
+  for (const auto& [kind, count] : counts)
+    add(kind,
+        kind < findingKinds ? titleOf(static_cast<Finding::Kind>(kind))
+                            : titleOf(static_cast<Doubt::Kind>(kind - findingKinds)),
+        count);
+  if (ignored > 0) add(ignoredKind, tr("Ignored"), ignored);
+  panel_->showKinds(kinds, kind_);
+}
+
+std::optional<std::size_t> SuspectsFlow::rowOf(const What& what) const {
+  const double near = 4 * parts_.document.scale().spacing;
+  const std::vector<Suspect>& rows = panel_->suspects();
+  const auto at = std::ranges::find_if(rows, [&](const Suspect& one) {
+    if (one.isDoubt() != std::holds_alternative<Doubt>(what)) return false;
+    return one.isDoubt() ? isSame(doubtOf(one), std::get<Doubt>(what), near)
+                         : isSame(findingOf(one), std::get<Finding>(what));
+  });
+  if (at == rows.end()) return std::nullopt;
+  return static_cast<std::size_t>(at - rows.begin());
+}
+
+void SuspectsFlow::step(int by) {
+  dock_->bringToFront();
+  parts_.findings.checkNow();
+  const std::size_t count = panel_->suspects().size();
+  if (count == 0) {
+    noteNothing();
+    awaitedStep_ = isAwaited_ ? by : 0;
+    return;
+  }
+  awaitedStep_ = 0;
+  const auto at = panel_->current();
+  std::size_t next = by > 0 ? 0 : count - 1;
+  if (at) next = (*at + count + static_cast<std::size_t>(by > 0 ? 1 : count - 1)) % count;
+  panel_->setCurrent(next);
+  choose(next);
+}
+
+void SuspectsFlow::noteNothing() {
+  const bool hasSkeleton = !parts_.document.skeleton().isEmpty();
+  const bool isChecked = parts_.findings.isAllChecked();
+  isAwaited_ = hasSkeleton && (!isChecked || parts_.doubts.isBusy());
+  emit noted(isAwaited_ ? noteText() : titleText());
+}
+
+/// To who has asked for a place before there were any, and done nothing else since.
+void SuspectsFlow::answer() {
+  if (!isAwaited_ || !parts_.findings.isAllChecked()) return;
+  const int by = std::exchange(awaitedStep_, 0);
+  isAwaited_ = false;
+  if (panel_->suspects().empty()) {
+    noteNothing(); // or doubts are looked for still
+    awaitedStep_ = isAwaited_ ? by : 0;
+    return;
+  }
+  if (by != 0) step(by);
+  const std::size_t findings = parts_.findings.findings().size();
+  const QString ended = findings == 1
+                            ? tr("The checks ended: 1 finding")
+                            : tr("The checks ended: %1 findings").arg(formatCount(findings));
+  const bool isAtFinding = by != 0 && current_ && std::holds_alternative<Finding>(*current_);
+  emit noted(isAtFinding ? ended + QStringLiteral(" · ") + sentenceOf(*current_) : ended);
+}
+
+/// A finding is gone to, a doubt asked about.
+void SuspectsFlow::choose(std::size_t row) {
+  const What what = whatOf(panel_->suspects()[row]);
+  current_ = what;
+  if (std::holds_alternative<Doubt>(what)) return parts_.asking.askAbout(std::get<Doubt>(what));
+  parts_.asking.stopAsking();
+  goTo(std::get<Finding>(what));
+}
+
+void SuspectsFlow::showAsked(const std::optional<Doubt>& doubt, bool isByHand) {
+  if (doubt) {
+    current_ = *doubt;
+    refresh(); // doubts may just have changed
+  }
+  panel_->showQuestion(doubt, isByHand);
+}
+
+/// Selects what takes part, and shows it, with some of what is around it, from its best side.
+void SuspectsFlow::goTo(const Finding& finding) {
+  const Skeleton& skeleton = parts_.document.skeleton();
+  const std::vector<NodeId> nodes = nodesOf(finding);
+  if (!std::ranges::all_of(nodes, [&](NodeId id) { return skeleton.contains(id); })) return;
+  parts_.document.selection().set(remedyOf(finding, skeleton, spacing()).nodes);
+  parts_.actOnSelected();
+  const bool isOfNow = parts_.findings.arePointsOfNow();
+  parts_.document.pointSelection().set(isOfNow ? parts_.distances.inScan(finding.points)
+                                               : PointSet());
+  Sight sight{.nodes = nodes};
+  for (const NodeId id : nodes)
+    if (const auto parent = skeleton[id].parent) sight.nodes.push_back(*parent);
+  if (isOfNow)
+    for (const Eigen::Index point : finding.points)
+      sight.places.push_back(parts_.distances.now()->cloud()->position(point));
+  sight.margin =
+      std::max(boundsOf(finding, skeleton).diagonal().norm() / 2, 2 * meanEdgeLength(skeleton));
+  const Camera camera = parts_.view.cameraToSee(sight);
+  const QString note = parts_.reveal(nodes, sight.places, camera);
+  parts_.view.flyTo(camera, focusOn(skeleton, sight));
+  const QString sentence = sentenceOf(finding);
+  emit noted(note.isEmpty() ? sentence : note + QStringLiteral(" · ") + sentence);
+}
+
+void SuspectsFlow::toggleIgnored() {
+  const auto row = panel_->current();
+  if (!row || !current_) {
+    emit noted(tr("Choose a finding or a doubt to ignore it"));
+    return;
+  }
+  const What what = *current_;
+  const bool isIgnored = panel_->suspects()[*row].isIgnored();
+  if (std::holds_alternative<Doubt>(what)) {
+    const Doubt& doubt = std::get<Doubt>(what);
+    isIgnored ? parts_.doubts.stopIgnoring(doubt) : parts_.doubts.ignore(doubt);
+  } else {
+    const Finding& finding = std::get<Finding>(what);
+    isIgnored ? parts_.findings.stopIgnoring(finding) : parts_.findings.ignore(finding);
+  }
+  const std::size_t count = panel_->suspects().size();
+  if (!panel_->current() && count > 0) panel_->setCurrent(std::min(*row, count - 1));
+}
+
+/// The command says what it will do.
+void SuspectsFlow::showAction() {
+  const auto row = panel_->current();
+  const bool isIgnored = row && panel_->suspects()[*row].isIgnored();
+  const bool isDoubt = row && panel_->suspects()[*row].isDoubt();
+  parts_.actions["ignore_finding"]->setText(
+      isDoubt ? (isIgnored ? tr("Show Doubt Again") : tr("Ignore Doubt"))
+              : (isIgnored ? tr("Show Finding Again") : tr("Ignore Finding")));
+}
+
+void SuspectsFlow::selectAll() {
+  dock_->bringToFront();
+  parts_.findings.checkNow();
+  std::vector<NodeId> nodes;
+  for (const Finding& finding : parts_.findings.findings())
+    std::ranges::copy(nodesOf(finding), std::back_inserter(nodes));
+  std::ranges::sort(nodes);
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  if (nodes.empty()) return noteNothing();
+  parts_.document.selection().set(std::move(nodes));
+}
+
+/// What is seen or selected now is listed until one chooses again, wherever one goes meanwhile.
+void SuspectsFlow::listOnly(Listed listed) {
+  const Skeleton& skeleton = parts_.document.skeleton();
+  const std::vector<NodeId>& selected = parts_.document.selection().nodes();
+  panel_->showPlace(static_cast<std::size_t>(listed_)); // until it is done
+  const bool needsSelected = listed == Listed::selected || listed == Listed::axes;
+  if (needsSelected && selected.empty())
+    throw Error(tr("select nodes first: what is selected now is listed").toStdString());
+  const std::vector<NodeId> nodes =
+      listed == Listed::inView ? parts_.view.nodesInside(QRectF(parts_.view.rect()), Depth::through)
+      : listed == Listed::axes ? axesThrough(skeleton, selected)
+                               : selected;
+  listed_ = listed;
+  isIn_.assign(skeleton.idEnd(), false);
+  for (const NodeId id : nodes)
+    isIn_[indexOf(id)] = true;
+  dock_->bringToFront();
+  refresh();
+}
+
+} // namespace espalier

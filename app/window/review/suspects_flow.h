@@ -1,0 +1,106 @@
+#pragma once
+
+#include "app/window/frame/reveal.h"
+#include "app/window/frame/scan_distances.h"
+#include "app/window/frame/window_part.h"
+#include "app/window/review/doubts_flow.h"
+#include "core/skeleton/finding.h"
+#include "ui/panels/suspects_model.h"
+
+#include <QTimer>
+
+#include <functional>
+#include <optional>
+#include <variant>
+#include <vector>
+
+class QMainWindow;
+class QSettings;
+
+namespace espalier {
+
+class ActionSet;
+class AskingFlow;
+class FindingsFlow;
+class PanelDock;
+class PlantView;
+class SuspectsPanel;
+
+/// All that may be wrong with the plant, in one list: findings of the checks and doubts, what a
+/// look probably puts most right first. The walk from one to the next, what is ignored, and which
+/// of them are listed.
+class SuspectsFlow : public WindowPart {
+  Q_OBJECT
+
+public:
+  /// What it works with; all must outlive it.
+  struct Parts {
+    PlantDocument& document;
+    PlantView& view;
+    ActionSet& actions;
+    ScanDistances& distances;
+    FindingsFlow& findings;
+    DoubtsFlow& doubts;
+    AskingFlow& asking;
+    QSettings& settings;
+    QMainWindow& window;
+    Reveal reveal;
+    std::function<void()> actOnSelected; // keys, whatever the pointer is on, until it moves
+  };
+  explicit SuspectsFlow(Parts parts);
+
+private:
+  using What = std::variant<Finding, Doubt>;
+
+  void addActions();
+  void makePanel();
+  void connectParts();
+  void refresh();
+  [[nodiscard]] std::vector<Suspect> suspects(bool areIgnored) const;
+  [[nodiscard]] bool isListedPlace(const std::vector<NodeId>& nodes) const;
+  [[nodiscard]] bool isListed(const Doubt& doubt) const;
+  void showKinds(const std::vector<Suspect>& all, std::size_t ignored);
+  [[nodiscard]] const Finding& findingOf(const Suspect& suspect) const;
+  [[nodiscard]] const Doubt& doubtOf(const Suspect& suspect) const;
+  [[nodiscard]] What whatOf(const Suspect& suspect) const;
+  [[nodiscard]] std::optional<std::size_t> rowOf(const What& what) const;
+
+  void step(int by);
+  void noteNothing();
+  void answer();
+  void choose(std::size_t row);
+  void goTo(const Finding& finding);
+  void showAsked(const std::optional<Doubt>& doubt, bool isByHand);
+  void toggleIgnored();
+  void showAction();
+  void selectAll();
+  enum class Listed : std::uint8_t { all, inView, selected, axes };
+  void listOnly(Listed listed);
+
+  [[nodiscard]] double spacing() const; // between points [L]; 0: there is no scan
+  [[nodiscard]] SuspectText textOf(const Suspect& suspect) const;
+  [[nodiscard]] QString placeText(const Finding& finding) const;
+  [[nodiscard]] QString sentenceOf(const Finding& finding) const;
+  [[nodiscard]] QString sentenceOf(const What& what) const;
+  [[nodiscard]] QString titleText() const;
+  [[nodiscard]] QString noteText() const;
+  [[nodiscard]] QString agreementText() const;
+  void refreshTexts();
+  void refreshAgreement();
+
+  Parts parts_;
+  SuspectsPanel* panel_ = nullptr;
+  PanelDock* dock_ = nullptr;
+  QTimer agreementTimer_;
+  QString agreement_;           // as it was known last
+  std::size_t count_ = 0;       // of all, whatever is listed
+  int kind_;                    // that is listed
+  Listed listed_ = Listed::all; // of the plant
+  std::vector<bool> isIn_;      // by id, what is listed of it; nodes that are newer are
+  std::optional<What> current_;
+  bool isRefreshing_ = false;
+  bool isAwaited_ = false; // one has asked for one before there were any
+  int awaitedStep_ = 0;    // where to then: as of step(); 0: one only waits for the result
+};
+
+} // namespace espalier

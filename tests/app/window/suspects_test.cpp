@@ -1,0 +1,256 @@
+// One list of all that may be wrong: findings of the checks and doubts.
+#include "app/window/review/doubts_flow.h"
+#include "app/window/review/findings_flow.h"
+#include "core/skeleton/edits.h"
+#include "core/skeleton/select.h"
+#include "tests/app/window/window_fixture.h"
+#include "tests/support/shared_data.h"
+#include "ui/document/doubt_text.h"
+#include "ui/document/plant_document.h"
+#include "ui/panels/message_banner.h"
+#include "ui/panels/suspects_panel.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QTest>
+#include <QTreeView>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+namespace espalier {
+namespace {
+
+/// A plant with findings of several kinds, and doubts.
+class SuspectsTest : public test::WindowTest {
+protected:
+  void SetUp() override {
+    test::WindowTest::SetUp();
+    window().resize(1280, 800);
+    open({QString::fromStdString(
+        (test::sourceFolder() / "resources/samples/young_tree.ply").string())});
+    action("reconstruct").trigger();
+    waitForJob();
+    const Skeleton plant = document().skeleton();
+    document().edit("Thicker", [&](SkeletonEditor& editor) {
+      int left = 3;
+      for (const NodeId id : plant.ids())
+        if (plant[id].parent && plant.children(id).empty() && left-- > 0)
+          editor.setRadius(id, 2 * plant[*plant[id].parent].radius);
+    });
+    key(Qt::Key_F8);
+    ASSERT_TRUE(waitForAll());
+    ASSERT_GE(findings().size(), 3U);
+    ASSERT_GE(doubts().size(), 3U);
+  }
+  [[nodiscard]] bool waitForAll() {
+    return QTest::qWaitFor(
+        [this] {
+          return window().part<FindingsFlow>().isAllChecked() &&
+                 window().part<DoubtsFlow>().isKnown() && !window().part<DoubtsFlow>().isBusy();
+        },
+        20'000);
+  }
+  const std::vector<Finding>& findings() { return window().part<FindingsFlow>().findings(); }
+  const std::vector<Doubt>& doubts() { return window().part<DoubtsFlow>().doubts(); }
+  SuspectsPanel& panel() { return find<SuspectsPanel>("findings_panel"); }
+  const std::vector<Suspect>& rows() { return panel().suspects(); }
+  QComboBox& kinds() { return find<QComboBox>("findings_kind"); }
+  QComboBox& places() { return find<QComboBox>("findings_place"); }
+  static void choose(QComboBox& box, const QString& text) {
+    const int at = box.findText(text, Qt::MatchStartsWith);
+    ASSERT_GE(at, 0) << text.toStdString();
+    box.setCurrentIndex(at);
+    emit box.activated(at);
+  }
+  void go(std::size_t row) {
+    panel().setCurrent(row);
+    emit panel().chosen(row);
+  }
+  std::size_t first(bool isDoubt) {
+    return static_cast<std::size_t>(std::ranges::find(rows(), isDoubt, &Suspect::isDoubt) -
+                                    rows().begin());
+  }
+  bool isAsked() { return action("answer_1").isEnabled(); }
+  std::vector<NodeId> nodesOfRow(const Suspect& row) {
+    if (!row.isDoubt()) return nodesOf(findings()[row.number]);
+    const Doubt& doubt = doubts()[row.number];
+    return doubt.nodes.empty() ? std::vector<NodeId>{doubt.node} : doubt.nodes;
+  }
+};
+
+TEST_F(SuspectsTest, HasAllFindingsAndDoubtsByTheirGain) {
+  EXPECT_EQ(rows().size(), findings().size() + doubts().size());
+  EXPECT_TRUE(std::ranges::is_sorted(rows(), std::greater(), &Suspect::gain));
+  std::set<bool> sorts;
+  for (const Suspect& row : rows())
+    sorts.insert(row.isDoubt());
+  EXPECT_EQ(sorts.size(), 2U);
+  EXPECT_EQ(find<QLabel>("findings_title").text(),
+            QString("%1 places may be wrong").arg(rows().size()));
+  const auto& list = find<QTreeView>("findings_list");
+  for (int i = 0; i < list.model()->rowCount(); ++i) { // each says what, where, gain and remedy
+    EXPECT_EQ(list.model()->index(i, 0).data().toString().split('\n').size(), 2);
+    const QStringList gain = list.model()->index(i, 1).data().toString().split('\n');
+    ASSERT_EQ(gain.size(), 2);
+    EXPECT_TRUE(gain[0].endsWith(" %")) << gain[0].toStdString();
+    EXPECT_FALSE(gain[1].isEmpty());
+  }
+}
+
+TEST_F(SuspectsTest, ListsOneKindAlone) {
+  const std::size_t all = rows().size();
+  choose(kinds(), "Thick on thin");
+  EXPECT_GE(rows().size(), 3U);
+  for (const Suspect& row : rows())
+    EXPECT_EQ(row.kind, static_cast<int>(Finding::Kind::radiusAboveParent));
+  EXPECT_EQ(kinds().currentText(), QString("Thick on thin (%1)").arg(rows().size()));
+  choose(kinds(), "All kinds");
+  EXPECT_EQ(rows().size(), all);
+}
+
+TEST_F(SuspectsTest, ListsWhatIsSelectedAndStaysSoWhereverOneGoes) {
+  const std::size_t all = rows().size();
+  document().selection().clear();
+  choose(places(), "Selected");
+  EXPECT_TRUE(window().banner().text().contains("elect nodes first"))
+      << window().banner().text().toStdString();
+  EXPECT_EQ(rows().size(), all);
+  EXPECT_EQ(places().currentText(), "Whole plant");
+  const std::vector<NodeId> selected = nodesOfRow(rows()[first(false)]);
+  document().selection().set(selected);
+  choose(places(), "Selected");
+  ASSERT_GE(rows().size(), 1U);
+  ASSERT_LT(rows().size(), all);
+  const std::size_t listed = rows().size();
+  for (const Suspect& row : rows()) {
+    const std::vector<NodeId> nodes = nodesOfRow(row);
+    EXPECT_TRUE(std::ranges::any_of(
+        nodes, [&](NodeId id) { return std::ranges::find(selected, id) != selected.end(); }));
+  }
+  for (std::size_t i = 0; i < listed; ++i)
+    key(Qt::Key_F4);
+  EXPECT_EQ(rows().size(), listed);
+  action("list_all").trigger();
+  EXPECT_EQ(rows().size(), all);
+  EXPECT_EQ(places().currentText(), "Whole plant");
+}
+
+TEST_F(SuspectsTest, ListsTheAxesThatAreSelected) {
+  const Skeleton& plant = document().skeleton();
+  const NodeId node = nodesOfRow(rows()[first(false)]).front();
+  document().selection().set({node});
+  const std::vector<NodeId> axis = axesThrough(plant, {node});
+  std::size_t expected = 0;
+  for (const Suspect& row : rows())
+    expected += std::ranges::any_of(
+        nodesOfRow(row), [&](NodeId id) { return std::ranges::find(axis, id) != axis.end(); });
+  action("list_axes").trigger();
+  EXPECT_EQ(places().currentText(), "Selected axes");
+  EXPECT_EQ(rows().size(), expected);
+}
+
+TEST_F(SuspectsTest, ListsWhatIsInTheViewAndAsksAboutThatAlone) {
+  const std::size_t all = rows().size();
+  const Skeleton& plant = document().skeleton();
+  const Doubt last = doubts().back();
+  Eigen::AlignedBox3d box(plant[last.node].position);
+  for (const NodeId id : last.nodes)
+    box.extend(plant[id].position);
+  view().frame(box);
+  waitForView();
+  action("list_in_view").trigger();
+  ASSERT_GE(rows().size(), 1U);
+  ASSERT_LT(rows().size(), all);
+  const auto inView = rows();
+  view().setFocus();
+  key(Qt::Key_F2);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
+  for (int i = 0; i < 5; ++i) {
+    ASSERT_TRUE(panel().current().has_value());
+    EXPECT_TRUE(rows()[*panel().current()].isDoubt());
+    key(Qt::Key_Space);
+  }
+  EXPECT_EQ(rows().size(), inView.size());
+}
+
+TEST_F(SuspectsTest, TheKeyGoesThroughBothByTheirGain) {
+  const std::size_t count = std::min<std::size_t>(rows().size(), 12);
+  for (std::size_t i = 0; i < count; ++i) {
+    key(Qt::Key_F4);
+    ASSERT_EQ(panel().current(), i);
+    EXPECT_EQ(isAsked(), rows()[i].isDoubt()) << i;
+    EXPECT_EQ(action("extend_again").shortcuts().isEmpty(), rows()[i].isDoubt())
+        << "keys are borrowed while it asks alone";
+  }
+  key(Qt::Key_F4, Qt::ShiftModifier);
+  EXPECT_EQ(panel().current(), count - 2);
+}
+
+TEST_F(SuspectsTest, ADoubtThatIsIgnoredIsNotAskedUntilItIsShownAgain) {
+  const QString file = path("tree.espalier");
+  answer(chooseFile(file), [this] { action("save_project_as").trigger(); });
+  waitForJob();
+  go(first(true));
+  ASSERT_TRUE(isAsked());
+  const Doubt doubt = doubts()[rows()[first(true)].number];
+  const std::size_t before = doubts().size();
+  EXPECT_EQ(action("ignore_finding").text(), "Ignore Doubt");
+  key(Qt::Key_F4, Qt::ControlModifier);
+  EXPECT_EQ(doubts().size(), before - 1);
+  const auto isDoubt = [&](const Doubt& one) { return isSame(one, doubt, 0); };
+  EXPECT_TRUE(std::ranges::none_of(doubts(), isDoubt));
+  key(Qt::Key_Escape);
+  open({file});
+  ASSERT_TRUE(waitForAll());
+  EXPECT_TRUE(std::ranges::none_of(doubts(), isDoubt)) << "a project remembers it";
+  EXPECT_TRUE(std::ranges::any_of(window().part<DoubtsFlow>().ignored(), isDoubt));
+  choose(kinds(), "Ignored (1)");
+  ASSERT_EQ(rows().size(), 1U);
+  panel().setCurrent(0);
+  EXPECT_EQ(action("ignore_finding").text(), "Show Doubt Again");
+  key(Qt::Key_F4, Qt::ControlModifier);
+  EXPECT_TRUE(std::ranges::any_of(doubts(), isDoubt));
+  EXPECT_TRUE(kinds().currentText().startsWith("All kinds"));
+}
+
+TEST_F(SuspectsTest, AnsweringAnIgnoredDoubtIsAnAnswer) {
+  go(first(true));
+  const Doubt doubt = doubts()[rows()[first(true)].number];
+  key(Qt::Key_F4, Qt::ControlModifier);
+  choose(kinds(), "Ignored (1)");
+  go(0);
+  ASSERT_TRUE(isAsked());
+  key(Qt::Key_Backspace); // there is no answer to take back
+  EXPECT_TRUE(isAsked());
+  const int steps = document().undoStack().index();
+  action(QString("answer_%1").arg(doubt.present + 1)).trigger();
+  EXPECT_TRUE(window().part<DoubtsFlow>().ignored().empty());
+  EXPECT_TRUE(window().part<DoubtsFlow>().isAnswered(doubt));
+  EXPECT_LE(document().undoStack().index(), steps + 1);
+}
+
+TEST_F(SuspectsTest, GoesThereWithoutAQuestionWhereThePlantIsReadOnly) {
+  document().setReadOnly("it is signed");
+  const std::size_t row = first(true);
+  const std::vector<NodeId> wood = nodesOfRow(rows()[row]);
+  go(row);
+  EXPECT_FALSE(isAsked());
+  EXPECT_EQ(document().selection().nodes(), wood);
+}
+
+TEST_F(SuspectsTest, BothKeysShowAndHideTheList) {
+  const auto isShown = [this] { return find<QTreeView>("findings_list").isVisible(); };
+  ASSERT_TRUE(isShown());
+  key(Qt::Key_F2, Qt::ShiftModifier);
+  EXPECT_FALSE(isShown());
+  key(Qt::Key_F2, Qt::ShiftModifier);
+  EXPECT_TRUE(isShown());
+  key(Qt::Key_F8);
+  EXPECT_FALSE(isShown());
+}
+
+} // namespace
+} // namespace espalier

@@ -89,8 +89,9 @@ private:
   }
 
   [[nodiscard]] bool isReviewed(const Doubt& doubt) const {
-    return std::ranges::any_of(
-        doubt.nodes, [&](NodeId id) { return skeleton_[id].review.state != ReviewState::toDo; });
+    return std::ranges::any_of(doubt.nodes, [&](NodeId id) {
+      return skeleton_[id].review.state == ReviewState::reviewed;
+    });
   }
 
   /// How much of the plant an alternative would put right: of its length and of its ends, the mean.

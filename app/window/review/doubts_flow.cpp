@@ -19,7 +19,7 @@ constexpr auto keptName = "answered_doubts";
 
 bool isReviewed(const Doubt& doubt, const Skeleton& skeleton) {
   return std::ranges::any_of(doubt.nodes, [&](NodeId id) {
-    return skeleton.contains(id) && skeleton[id].review.state != ReviewState::toDo;
+    return skeleton.contains(id) && skeleton[id].review.state == ReviewState::reviewed;
   });
 }
 
@@ -165,7 +165,8 @@ void DoubtsFlow::refresh() {
       });
 }
 
-/// What is still to be asked: neither answered, ignored nor reviewed.
+/// What is still to be asked: neither answered, ignored nor reviewed. Wood that is doubtful, as
+/// what would bear a missing branch may be, is asked about.
 void DoubtsFlow::list() {
   const double spacing = parts_.document.scale().spacing;
   const Skeleton& skeleton = parts_.document.skeleton();

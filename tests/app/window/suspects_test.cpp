@@ -232,6 +232,24 @@ TEST_F(SuspectsTest, AnsweringAnIgnoredDoubtIsAnAnswer) {
   EXPECT_LE(document().undoStack().index(), steps + 1);
 }
 
+// None of These on a missing branch marks its bearer doubtful; what the bearer is asked itself is
+// no answer.
+TEST_F(SuspectsTest, WoodThatIsMarkedDoubtfulIsAskedAbout) {
+  const auto ofWood = std::ranges::find_if(
+      doubts(), [](const Doubt& one) { return one.kind != Doubt::Kind::missing; });
+  ASSERT_NE(ofWood, doubts().end());
+  const Doubt doubt = *ofWood;
+  document().edit("Mark", [&](SkeletonEditor& editor) {
+    editor.setReview(doubt.node, {.state = ReviewState::doubtful});
+  });
+  const auto isDoubt = [&](const Doubt& one) { return isSame(one, doubt, 0); };
+  EXPECT_TRUE(std::ranges::any_of(doubts(), isDoubt));
+  document().edit("Mark", [&](SkeletonEditor& editor) {
+    editor.setReview(doubt.node, {.state = ReviewState::reviewed, .reviewer = "Ann"});
+  });
+  EXPECT_TRUE(std::ranges::none_of(doubts(), isDoubt));
+}
+
 TEST_F(SuspectsTest, GoesThereWithoutAQuestionWhereThePlantIsReadOnly) {
   document().setReadOnly("it is signed");
   const std::size_t row = first(true);

@@ -205,7 +205,7 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
       [this] { return parts_.get<ReviewFlow>().reviewer(); },
       [this](const std::string& name) { parts_.get<ProjectFlow>().writeNow(name); }});
   auto& asking = parts_.make<AskingFlow>(
-      AskingFlow::Parts{document_, *view_, *actions_, editing, doubts, *this, reveal()});
+      AskingFlow::Parts{document_, *view_, *actions_, editing, doubts, distances, *this, reveal()});
   parts_.make<SuspectsFlow>(SuspectsFlow::Parts{document_, *view_, *actions_, distances, findings,
                                                 doubts, asking, settings_, *this, reveal(),
                                                 [&editing] { editing.actOnSelected(); }});

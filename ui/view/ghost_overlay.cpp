@@ -16,6 +16,7 @@ namespace {
 
 constexpr double width = 4; // [logical pixels], as all below
 constexpr double rim = 3;   // about lines
+constexpr double dot = 4;   // across
 constexpr double disk = 11; // radius, under a number
 
 std::vector<QPolygonF> seenLines(const ShownGhost& ghost, const ScreenMap& screen) {
@@ -27,6 +28,14 @@ std::vector<QPolygonF> seenLines(const ShownGhost& ghost, const ScreenMap& scree
     if (seen.size() > 1) lines.push_back(std::move(seen));
   }
   return lines;
+}
+
+QPolygonF seenDots(const ShownGhost& ghost, const ScreenMap& screen) {
+  QPolygonF dots;
+  for (const std::vector<Eigen::Vector3d>& line : ghost.lines)
+    if (const auto at = line.size() == 1 ? pixelOf(screen, line.front()) : std::nullopt)
+      dots.append(*at);
+  return dots;
 }
 
 Qt::PenStyle styleOf(ShownGhost::Look look) {
@@ -108,6 +117,12 @@ void paintGhosts(QPainter& painter, const std::vector<ShownGhost>& ghosts, const
   for (const ShownGhost& ghost : ghosts)
     all.push_back(seenLines(ghost, screen));
   painter.setBrush(Qt::NoBrush);
+  for (const QPen& pen : {QPen(toQt(colors.outline, 200), dot + rim, Qt::SolidLine, Qt::RoundCap),
+                          QPen(toQt(colors.selected), dot, Qt::SolidLine, Qt::RoundCap)}) {
+    painter.setPen(pen);
+    for (const ShownGhost& ghost : ghosts)
+      painter.drawPoints(seenDots(ghost, screen));
+  }
   for (std::size_t i = 0; i < ghosts.size(); ++i) {
     const Color color = colorOfGhost(ghosts[i].number, dark);
     if (ghosts[i].look == ShownGhost::Look::removed) {

@@ -18,13 +18,13 @@ struct ShownGhost {
     proposed, // as it is not
     removed   // what would go
   };
-  std::vector<std::vector<Eigen::Vector3d>> lines;
+  std::vector<std::vector<Eigen::Vector3d>> lines; // a line of one place is a dot, as of a point
   Look look = Look::proposed;
   int number = 0; // its key, and its color; 0: neither label nor a color of its own
 };
 
-/// Paints ghosts over the plant: the present one with a full line, what is not there dashed, at the
-/// end of what would go a cross, each with its number. Numbers keep apart.
+/// Paints ghosts over the plant: dots bright, below lines; of these, the present with a full one,
+/// what is not there dashed, where one would go a cross, each with its number. Numbers keep apart.
 void paintGhosts(QPainter& painter, const std::vector<ShownGhost>& ghosts, const ScreenMap& screen,
                  bool dark);
 

@@ -86,6 +86,10 @@ void AskingFlow::connectParts() {
   editEnds_.setInterval(50); // [ms]
   connect(&editEnds_, &QTimer::timeout, this, &AskingFlow::takeEdit);
   connect(&parts_.doubts, &DoubtsFlow::changed, this, &AskingFlow::followDoubts);
+  connect(&parts_.distances, &ScanDistances::changed, this, [this] { // which points it is about
+    const bool isAsOfNow = current_ && !editEnds_.isActive();
+    if (isAsOfNow && isThere(*current_, parts_.document.skeleton())) draw();
+  });
   connect(&document, &PlantDocument::skeletonEdited, this, &AskingFlow::noteEdit);
   connect(&document, &PlantDocument::unitChanged, this, [this] {
     if (current_) emit asked(current_, isByHand_);
@@ -250,11 +254,13 @@ void AskingFlow::goTo(const Doubt& doubt) {
 void AskingFlow::draw() {
   const Skeleton& skeleton = parts_.document.skeleton();
   if (isRestShown_)
-    parts_.view.showGhosts(ghostsOfLikeliest(skeleton, parts_.doubts.decidedByOdds()));
-  else if (current_ && !isByHand_)
-    parts_.view.showGhosts(ghostsOf(skeleton, *current_));
-  else
-    parts_.view.showGhosts({});
+    return parts_.view.showGhosts(ghostsOfLikeliest(skeleton, parts_.doubts.decidedByOdds()));
+  if (!current_ || isByHand_) return parts_.view.showGhosts({});
+  std::vector<ShownGhost> ghosts = ghostsOf(skeleton, *current_);
+  if (const std::shared_ptr<const PointDistances> distances = parts_.distances.now())
+    ghosts.push_back(
+        ghostOfPoints(skeleton, *current_, *distances, 4 * parts_.document.scale().spacing));
+  parts_.view.showGhosts(std::move(ghosts));
 }
 
 /// Selects its wood, and goes to where most of it is seen, and the alternatives apart.

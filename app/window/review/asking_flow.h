@@ -40,6 +40,7 @@ public:
     ActionSet& actions;
     Editing& editing;
     DoubtsFlow& doubts;
+    ScanDistances& distances;
     QMainWindow& window;
     Reveal reveal;
   };

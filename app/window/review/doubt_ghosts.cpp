@@ -1,5 +1,6 @@
 #include "app/window/review/doubt_ghosts.h"
 
+#include "core/skeleton/edge_index.h"
 #include "core/skeleton/path_edits.h"
 
 #include <algorithm>
@@ -106,6 +107,38 @@ Sight sightOf(const Skeleton& skeleton, const Doubt& doubt) {
     box.extend(skeleton[id].position);
   sight.margin = std::max(box.diagonal().norm() / 2, 2 * meanEdgeLength(skeleton));
   return sight;
+}
+
+ShownGhost ghostOfPoints(const Skeleton& skeleton, const Doubt& doubt,
+                         const PointDistances& distances, double near) {
+  const std::vector<float>& toSurface = distances.toSurface();
+  std::vector<bool> isOfWood(skeleton.idEnd(), false); // by id
+  for (const NodeId id : doubt.nodes)
+    isOfWood[indexOf(id)] = true;
+  std::optional<EdgeIndex> added;
+  Eigen::AlignedBox3d box;
+  for (const Alternative& one : doubt.alternatives) {
+    if (one.kind != Alternative::Kind::add) continue;
+    added.emplace(one.branch->part);
+    for (const NodeId id : one.branch->part.ids())
+      box.extend(one.branch->part[id].position);
+  }
+  if (added) box = {box.min().array() - near, box.max().array() + near};
+  ShownGhost ghost{.look = ShownGhost::Look::present};
+  for (std::size_t i = 0; i < toSurface.size(); ++i) {
+    const auto placeOf = [&] { return distances.cloud()->position(static_cast<Eigen::Index>(i)); };
+    if (added) {
+      if (toSurface[i] <= near / 2) continue; // it has wood
+      const Eigen::Vector3d place = placeOf();
+      if (!box.contains(place)) continue;
+      if (const auto nearest = added->nearest(place); nearest && nearest->distance <= near)
+        ghost.lines.push_back({place});
+    } else if (toSurface[i] <= near && indexOf(distances.nearest()[i]) < isOfWood.size() &&
+               isOfWood[indexOf(distances.nearest()[i])]) {
+      ghost.lines.push_back({placeOf()});
+    }
+  }
+  return ghost;
 }
 
 } // namespace espalier

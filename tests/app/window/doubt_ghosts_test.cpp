@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
 namespace espalier {
 namespace {
 
@@ -72,6 +77,43 @@ TEST(DoubtGhosts, DrawABranchThatIsMissingAsOneLineForEachRun) {
   ASSERT_EQ(rest.size(), 1U);
   EXPECT_EQ(rest[0].lines.size(), 3U);
   EXPECT_EQ(rest[0].number, 0);
+}
+
+/// Which of some points are those of a doubt, by their number.
+std::vector<std::size_t> litOf(const Doubt& doubt, const std::vector<Eigen::Vector3d>& places) {
+  RawPoints raw;
+  raw.positions = places;
+  const auto cloud = std::make_shared<const PointCloud>(std::move(raw));
+  const Skeleton plant = plantInDoubt();
+  std::vector<std::size_t> lit;
+  for (const auto& dot :
+       ghostOfPoints(plant, doubt, PointDistances(cloud, 0.1, plant), 0.5).lines) {
+    EXPECT_EQ(dot.size(), 1U);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if ((dot.front() - places[i]).norm() < 1e-6) lit.push_back(i);
+  }
+  std::ranges::sort(lit);
+  return lit;
+}
+
+TEST(DoubtGhosts, PointsOfWoodAreThoseNearestToIt) {
+  const std::vector<std::size_t> lit =
+      litOf(attachmentInDoubt(), {{1.5, 0.1, 1}, {0.1, 0, 0.5}, {2, 0.2, 1}, {1.5, 3, 1}});
+  EXPECT_EQ(lit, (std::vector<std::size_t>{0, 2})) << "neither of the stem, nor far from all";
+}
+
+TEST(DoubtGhosts, PointsOfWhatIsMissingLieAlongItAndHaveNoWood) {
+  GrownBranch branch{.on = NodeId(2), .part = {}};
+  const NodeId root = branch.part.add({.position = {0, 0, 2}});
+  branch.part.add({.position = {-2, 0, 2}, .parent = root, .edge = EdgeType::branching});
+  const Doubt missing{.kind = Doubt::Kind::missing,
+                      .node = NodeId(2),
+                      .alternatives = {{.kind = Alternative::Kind::add, .branch = branch},
+                                       {.kind = Alternative::Kind::asItIs}},
+                      .present = 1};
+  const std::vector<std::size_t> lit =
+      litOf(missing, {{-1, 0, 2}, {-1, 1, 2}, {-0.1, 0, 1.9}, {-2, 0.3, 2.2}, {1, 0.1, 1}});
+  EXPECT_EQ(lit, (std::vector<std::size_t>{0, 3}));
 }
 
 } // namespace

@@ -250,6 +250,32 @@ TEST_F(SuspectsTest, WoodThatIsMarkedDoubtfulIsAskedAbout) {
   EXPECT_TRUE(std::ranges::none_of(doubts(), isDoubt));
 }
 
+TEST_F(SuspectsTest, PointsAreLitWhileTheyAreAskedAbout) {
+  document().pointSelection().set(PointSet::of({1, 2, 3}));
+  const auto row = std::ranges::find_if(rows(), [&](const Suspect& one) {
+    return one.isDoubt() && doubts()[one.number].kind != Doubt::Kind::missing;
+  });
+  ASSERT_NE(row, rows().end());
+  go(static_cast<std::size_t>(row - rows().begin()));
+  waitForView();
+  const auto bright = [&] {
+    const QImage image = view().grab().toImage();
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        count += image.pixelColor(x, y) == QColor(0xe6, 0x9f, 0x00);
+    return count;
+  };
+  document().selection().clear(); // which is of that color, too
+  QTest::qWait(50);
+  EXPECT_GT(bright(), 30);
+  action("stop_asking").trigger();
+  document().selection().clear();
+  QTest::qWait(50);
+  EXPECT_LT(bright(), 10);
+  EXPECT_EQ(document().pointSelection().points(), PointSet::of({1, 2, 3}));
+}
+
 TEST_F(SuspectsTest, GoesThereWithoutAQuestionWhereThePlantIsReadOnly) {
   document().setReadOnly("it is signed");
   const std::size_t row = first(true);

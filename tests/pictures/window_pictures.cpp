@@ -2,6 +2,7 @@
 #include "core/skeleton/edits.h"
 #include "tests/pictures/studio.h"
 #include "tests/support/shared_data.h"
+#include "ui/document/doubt_text.h"
 #include "ui/panels/cross_section_panel.h"
 #include "ui/panels/judge_table.h"
 #include "ui/panels/sweep_strip.h"
@@ -97,6 +98,31 @@ TEST_F(ManualPictures, FirstPlant) {
   action("ask_doubts").trigger();
   ASSERT_TRUE(QTest::qWaitFor([this] { return action("answer_1").isEnabled(); }, patience));
   save(taken(window()), "asking.png");
+}
+
+/// A question of each kind: what matters most of it.
+TEST_F(ManualPictures, Doubts) {
+  openSimulated("tree", {"--segments", "60", "--points", "15000", "--seed", "2"});
+  reconstruct();
+  const NodeId foot = footOf(longTwig()); // of a branch that is missing then
+  document().edit("Remove", [&](SkeletonEditor& editor) { removeSubtree(editor, foot); });
+  action("minimap").setChecked(false);
+  action("show_findings").setChecked(true);
+  auto& kinds = find<QComboBox>("findings_kind");
+  std::vector<QImage> pictures;
+  for (const Doubt::Kind kind : {Doubt::Kind::end, Doubt::Kind::attachment, Doubt::Kind::missing}) {
+    int at = -1;
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return (at = kinds.findText(titleOf(kind), Qt::MatchStartsWith)) >= 0; }, patience))
+        << titleOf(kind).toStdString();
+    emit kinds.activated(at);
+    action("ask_doubts").trigger();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return action("answer_1").isEnabled(); }, patience));
+    waitForView();
+    pictures.push_back(around(view().rect().center(), {400, 400}));
+    action("stop_asking").trigger();
+  }
+  save(together(pictures, 3), "doubts.png");
 }
 
 TEST_F(ManualPictures, Import) {

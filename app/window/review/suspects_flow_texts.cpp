@@ -119,10 +119,10 @@ QString SuspectsFlow::noteText() const {
   if (parts_.document.skeleton().isEmpty()) return {};
   if (parts_.document.scan() == nullptr)
     return tr("Open a scan to check against it, and to find what is in doubt");
-  if (!parts_.findings.isAllChecked()) return tr("Checking against the scan…");
   if (!parts_.doubts.hasSpacing())
     return tr("All points of the scan lie at one place: nothing can be asked about");
   if (!parts_.doubts.failure().isEmpty()) return parts_.asking.failureText();
+  if (!parts_.findings.isAllChecked()) return tr("Checking against the scan…");
   if (parts_.doubts.isBusy()) return tr("Looking for doubts…");
   return count_ > 0 && panel_->suspects().empty() ? tr("None of them is of this kind and part")
                                                   : QString();

@@ -22,7 +22,9 @@ AnsweredDoubt answeredMissing() {
 }
 
 TEST(AnsweredDoubts, ComeBackAsTheyWereKept) {
-  const std::vector<AnsweredDoubt> answered = {answeredEnd(), answeredMissing()};
+  AnsweredDoubt ignored = answeredMissing();
+  ignored.isIgnored = true;
+  const std::vector<AnsweredDoubt> answered = {answeredEnd(), answeredMissing(), ignored};
   EXPECT_EQ(answeredFrom(textOf(answered)), answered);
   EXPECT_EQ(textOf(std::vector<AnsweredDoubt>()), "");
   EXPECT_TRUE(answeredFrom("").empty());

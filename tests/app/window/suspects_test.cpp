@@ -189,6 +189,19 @@ TEST_F(SuspectsTest, TheKeyGoesThroughBothByTheirGain) {
   EXPECT_EQ(panel().current(), count - 2);
 }
 
+TEST_F(SuspectsTest, WhatIsAskedIsChosenInTheList) {
+  key(Qt::Key_F8); // it comes with the question, and findings after it
+  view().setFocus();
+  key(Qt::Key_F2);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
+  ASSERT_TRUE(waitForAll());
+  const auto& list = find<QTreeView>("findings_list");
+  ASSERT_TRUE(panel().current().has_value());
+  const Suspect row = rows()[*panel().current()];
+  EXPECT_EQ(nodesOfRow(row), document().selection().nodes());
+  EXPECT_TRUE(list.selectionModel()->isSelected(list.currentIndex()));
+}
+
 TEST_F(SuspectsTest, ADoubtThatIsIgnoredIsNotAskedUntilItIsShownAgain) {
   const QString file = path("tree.espalier");
   answer(chooseFile(file), [this] { action("save_project_as").trigger(); });

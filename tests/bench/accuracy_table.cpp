@@ -5,7 +5,8 @@
 //   [--seeds N]
 //                     [--foliage DENSITY] [--worst] [--radii] [ROW ...]
 //
-// A ROW is NAME:STEP.OPTION=VALUE,...; "6 spacings" is a length in point spacings. With rows,
+// A ROW is NAME:STEP.OPTION=VALUE,...; "6 spacings" is a length in point spacings; what it leaves
+// out is as the preset of that name has it, else as by default. With rows,
 // only they are printed. --worst prints each plant, too, --radii the errors of radii by how thick
 // the wood is and how much of the way around it has points. Plants are bare, or have needles,
 // leaves and short shoots that their truth lacks, 1 as dense as their kind bears them. A grid is of
@@ -223,6 +224,7 @@ std::vector<Row> allMethods() {
 Row rowOf(const std::string& text) {
   const std::size_t colon = text.find(':');
   Row row{text.substr(0, colon), {}, {}};
+  if (const NamedPreset* preset = presetNamed(row.name)) row.options = preset->options;
   std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
   while (!rest.empty()) {
     const std::size_t comma = rest.find(',');

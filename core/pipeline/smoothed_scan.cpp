@@ -56,8 +56,8 @@ SmoothedScan smoothedScan(const std::shared_ptr<const PointCloud>& cloud,
   step.run(state, progress.part(0.2, 0.6, step.step->label));
   const std::vector<Eigen::Index> kept = keptPlaces(state);
   const Eigen::Matrix3Xf places = (*state.contracted)(Eigen::all, kept);
-  result.moved =
-      (places - cloud->positions()(Eigen::all, kept)).cast<double>().colwise().norm().mean();
+  const Eigen::Matrix3Xf before = cloud->positions()(Eigen::all, kept);
+  result.moved = (places - before).cast<double>().colwise().norm().mean();
   Eigen::Matrix3Xf added(3, 0);
   if (widest)
     added = pointsInHoles(places, shape->shape,

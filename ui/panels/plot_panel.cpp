@@ -95,6 +95,8 @@ PlotPanel::PlotPanel(QWidget* parent)
 void PlotPanel::showPlants(const std::vector<Plant>& plants, const QString& words) {
   isWorking_ = false;
   words_->setText(words);
+  if (plants == shown_) return refresh(); // with their check marks
+  shown_ = plants;
   table_->setRowCount(0);
   table_->setRowCount(static_cast<int>(plants.size()));
   for (std::size_t i = 0; i < plants.size(); ++i) {

@@ -23,8 +23,10 @@ public:
   struct Plant {
     QString points; // "24 871"
     QString height; // "1.25 m"
+    bool operator==(const Plant&) const = default;
   };
-  /// The plants found, all to be written; by their places. @param words  of what was found
+  /// The plants found, by their places, all to be written; of the same as before, those that were.
+  /// @param words  of what was found
   void showPlants(const std::vector<Plant>& plants, const QString& words);
   void showNone(const QString& words); // and why
   void showWorking(const QString& words);
@@ -51,6 +53,7 @@ private:
   QPushButton* cancel_;
   bool isFindable_ = false;
   bool isWorking_ = false;
+  std::vector<Plant> shown_;
 };
 
 } // namespace espalier

@@ -101,8 +101,6 @@ PipelineOptions PlotFlow::howToCut() const {
 
 void PlotFlow::find() {
   if (parts_.document.scan() == nullptr) return;
-  plants_.clear();
-  words_.clear();
   panel_->showWorking(tr("Finding plants… 0 %"));
   const auto work = [cloud = parts_.document.scan()->cloud(), options = howToCut()](
                         const Progress& progress) { return cutPlot(cloud, {}, options, progress); };

@@ -73,6 +73,7 @@ TEST_F(PlotTest, WritesAProjectOfEachPlantWithACheckMark) {
   EXPECT_EQ(filesIn(folder), QStringList({"plants.csv", "plot_1.espalier", "plot_1.ply",
                                           "plot_2.espalier", "plot_2.ply"}));
   EXPECT_EQ(message(), "Wrote 2 projects to " + folder);
+  EXPECT_EQ(table().item(1, 0)->checkState(), Qt::Unchecked) << "as it was chosen";
   const auto scan = Project::open(toPath(folder + "/plot_2.espalier"), Access::readOnly).findScan();
   ASSERT_TRUE(scan);
   table().setCurrentCell(2, 1);
@@ -118,6 +119,16 @@ TEST_F(PlotTest, CanBeCanceled) {
   EXPECT_EQ(window().focusWidget(), &find<QWidget>("plot_find"));
   EXPECT_EQ(table().rowCount(), 0);
   EXPECT_TRUE(find<QPushButton>("plot_find").isEnabled());
+}
+
+TEST_F(PlotTest, KeepsThePlantsWhereFindingThemAgainIsCanceled) {
+  findPlants();
+  const QString before = words();
+  clickButton("plot_find");
+  clickButton("plot_cancel");
+  waitUntilDone();
+  EXPECT_EQ(table().rowCount(), 3);
+  EXPECT_EQ(words(), before);
 }
 
 TEST_F(PlotTest, SaysWhyThereAreNone) {

@@ -31,9 +31,9 @@ OptionTable<CheckOptions> makeTable() {
           "touch", Shown::tr("Touch"), 0, 20,
           Shown::tr("Center lines within so many point spacings touch, however thin the wood.")),
       &Options::touch);
-  table.add(ratioOption(
-                "detour", Shown::tr("Detour"), 1, 1000,
-                Shown::tr("Wood may touch that is within so many sums of radii along the plant.")),
+  table.add(ratioOption("detour", Shown::tr("Detour"), 1, 1000,
+                        Shown::tr("Wood that touches is reported where the path from one to the "
+                                  "other is longer than so many sums of their radii.")),
             &Options::detour);
   table.add(ratioOption("thicker", Shown::tr("Thicker than parent"), 0, 10,
                         Shown::tr("Nodes thicker than their parent by this share are reported.")),

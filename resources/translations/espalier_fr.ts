@@ -9343,10 +9343,6 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>Détour</translation>
     </message>
     <message>
-        <source>Wood may touch that is within so many sums of radii along the plant.</source>
-        <translation>Peut se toucher le bois qui est à moins de ce nombre de sommes de rayons le long de la plante.</translation>
-    </message>
-    <message>
         <source>Thicker than parent</source>
         <translation>Plus épais que le parent</translation>
     </message>
@@ -12469,6 +12465,10 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>the skeleton explains all points: there is nothing to grow</source>
         <translation>le squelette explique tous les points&#xa0;: il n’y a rien à faire pousser</translation>
+    </message>
+    <message>
+        <source>Wood that touches is reported where the path from one to the other is longer than so many sums of their radii.</source>
+        <translation>Du bois qui se touche est signalé là où le chemin de l’un à l’autre est plus long que ce nombre de fois la somme de leurs rayons.</translation>
     </message>
 </context>
 <context>

@@ -9,10 +9,13 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QScrollBar>
 #include <QSignalBlocker>
+#include <QStyleHints>
 #include <QTimer>
 #include <QToolButton>
 #include <QTreeView>
@@ -45,7 +48,6 @@ SuspectsPanel::SuspectsPanel(const PlantDocument& document, const Actions& actio
   column->addWidget(agreement_);
   column->addWidget(note_);
   column->addWidget(sharingButton(*actions.ask));
-  column->addWidget(makeQuestion());
   makeFilters();
   auto* filters = new QVBoxLayout;
   filters->setSpacing(4);
@@ -54,6 +56,7 @@ SuspectsPanel::SuspectsPanel(const PlantDocument& document, const Actions& actio
   column->addLayout(filters);
   makeList();
   column->addWidget(list_, 2);
+  column->addWidget(makeQuestion()); // so that the row that was clicked stays where it is
   column->addWidget(sentence_);
   auto* walk = new QHBoxLayout(walk_);
   walk->setContentsMargins(0, 0, 0, 0);
@@ -63,9 +66,8 @@ SuspectsPanel::SuspectsPanel(const PlantDocument& document, const Actions& actio
   column->addWidget(walk_);
   ignore_ = sharingButton(*actions.ignore);
   ignore_->setObjectName("findings_ignore");
-  const auto enable = [this] { ignore_->setEnabled(current().has_value()); };
-  connect(actions.ignore, &QAction::changed, ignore_, enable); // its key says what is missing
-  connect(this, &SuspectsPanel::currentChanged, ignore_, enable);
+  connect(actions.ignore, &QAction::changed, this, &SuspectsPanel::refreshShown);
+  connect(this, &SuspectsPanel::currentChanged, this, &SuspectsPanel::refreshShown);
   column->addWidget(ignore_);
   rest_ = sharingButton(*actions.decideRest);
   column->addWidget(rest_);
@@ -113,12 +115,17 @@ void SuspectsPanel::makeFilters() {
   for (QComboBox* box : {kinds_, places_}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(6);
+    box->setFocusPolicy(Qt::TabFocus); // after a click, Enter goes on meaning what it meant
     opensOnEnter(*box);
   }
-  connect(kinds_, &QComboBox::activated, this,
-          [this](int row) { emit kindChosen(shownKinds_[static_cast<std::size_t>(row)].kind); });
-  connect(places_, &QComboBox::activated, this,
-          [this](int row) { actions_.places[static_cast<std::size_t>(row)]->trigger(); });
+  connect(kinds_, &QComboBox::activated, this, [this](int row) {
+    emit kindChosen(shownKinds_[static_cast<std::size_t>(row)].kind);
+    showFirst();
+  });
+  connect(places_, &QComboBox::activated, this, [this](int row) {
+    actions_.places[static_cast<std::size_t>(row)]->trigger();
+    showFirst();
+  });
 }
 
 void SuspectsPanel::makeList() {
@@ -133,19 +140,39 @@ void SuspectsPanel::makeList() {
   list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   list_->header()->setResizeContentsPrecision(0); // what is seen
+  connect(list_->verticalScrollBar(), &QScrollBar::valueChanged, list_,
+          [this] { list_->resizeColumnToContents(1); });
   const auto report = [this] {
     if (const auto row = current()) emit chosen(*row);
   };
   onEnter(*list_, report);
-  connect(list_, &QTreeView::clicked, this, report);
+  connect(list_, &QTreeView::clicked, this, [this, report] {
+    holdAnswers();
+    report();
+  });
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           &SuspectsPanel::currentChanged);
 }
 
 void SuspectsPanel::show(std::vector<Suspect> suspects) {
   model_->show(std::move(suspects));
-  list_->setVisible(model_->rowCount() > 0);
+  list_->setVisible(model_->rowCount() > 0 || !kinds_->isHidden()); // what is chosen stays in place
   refreshShown();
+}
+
+/// The second click of a double click may land where an answer has just appeared.
+void SuspectsPanel::holdAnswers() {
+  asked_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  QTimer::singleShot(QGuiApplication::styleHints()->mouseDoubleClickInterval(), asked_,
+                     [this] { asked_->setAttribute(Qt::WA_TransparentForMouseEvents, false); });
+}
+
+/// What is chosen of another list, else what matters most.
+void SuspectsPanel::showFirst() {
+  if (current())
+    list_->scrollTo(list_->currentIndex());
+  else
+    list_->scrollToTop();
 }
 
 /// What is about the list is there with it, and not beside a question.
@@ -154,6 +181,7 @@ void SuspectsPanel::refreshShown() {
   const bool isAsked = !asked_->isHidden();
   walk_->setVisible(isListed && !isAsked);
   ignore_->setVisible(isListed);
+  ignore_->setEnabled(current().has_value()); // its key says what is missing
   sentence_->setVisible(!isAsked && !sentence_->text().isEmpty());
   rest_->setVisible(!isAsked);
 }

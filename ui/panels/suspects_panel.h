@@ -75,6 +75,8 @@ private:
   [[nodiscard]] QWidget* makeQuestion();
   void makeFilters();
   void makeList();
+  void holdAnswers();
+  void showFirst();
   void refreshShown();
 
   const PlantDocument& document_;

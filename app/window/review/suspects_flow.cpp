@@ -359,7 +359,9 @@ void SuspectsFlow::toggleIgnored() {
     isIgnored ? parts_.findings.stopIgnoring(finding) : parts_.findings.ignore(finding);
   }
   const std::size_t count = panel_->suspects().size();
-  if (!panel_->current() && count > 0) panel_->setCurrent(std::min(*row, count - 1));
+  if (isIgnored || panel_->current() || count == 0) return;
+  panel_->setCurrent(std::min(*row, count - 1));
+  choose(std::min(*row, count - 1)); // keys act on what the list names
 }
 
 /// The command says what it will do.

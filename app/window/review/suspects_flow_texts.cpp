@@ -131,7 +131,7 @@ QString SuspectsFlow::noteText() const {
 /// "About 94 % of the length is right; 40 answers would make it 98 %."
 QString SuspectsFlow::agreementText() const {
   const std::optional<ExpectedAgreement> expected = parts_.doubts.expected();
-  if (!expected) return {};
+  if (!expected || parts_.document.skeleton().isEmpty()) return {};
   QString text = tr("About %1 % of the length is right").arg(percentOf(expected->share()));
   const std::size_t doubts = parts_.doubts.doubts().size();
   for (const double goal : {0.8, 0.85, 0.9, 0.95, 0.98, 0.99}) {

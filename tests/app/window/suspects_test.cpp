@@ -11,8 +11,11 @@
 #include "ui/panels/suspects_panel.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QLabel>
+#include <QScrollBar>
+#include <QStyleHints>
 #include <QTest>
 #include <QTreeView>
 
@@ -296,6 +299,67 @@ TEST_F(SuspectsTest, GoesThereWithoutAQuestionWhereThePlantIsReadOnly) {
   go(row);
   EXPECT_FALSE(isAsked());
   EXPECT_EQ(document().selection().nodes(), wood);
+}
+
+// What the list names is what keys act on.
+TEST_F(SuspectsTest, IgnoringAFindingGoesOnToTheNext) {
+  choose(kinds(), "Thick on thin");
+  ASSERT_GE(rows().size(), 3U);
+  key(Qt::Key_F4);
+  const std::vector<NodeId> next = nodesOfRow(rows()[1]);
+  key(Qt::Key_F4, Qt::ControlModifier);
+  EXPECT_EQ(panel().current(), 0U);
+  EXPECT_EQ(nodesOfRow(rows()[0]), next);
+  const std::vector<NodeId>& selected = document().selection().nodes();
+  ASSERT_FALSE(selected.empty());
+  for (const NodeId id : selected)
+    EXPECT_NE(std::ranges::find(next, id), next.end());
+}
+
+// A question comes up at once: the second click must not land on one of its answers.
+TEST_F(SuspectsTest, ADoubleClickOnADoubtAnswersNothing) {
+  auto& list = find<QTreeView>("findings_list");
+  const auto clickOn = [&](const QPoint& place) { // wherever that is by then
+    QWidget* under = panel().childAt(panel().mapFromGlobal(place));
+    if (under == nullptr) under = &panel();
+    QTest::mouseClick(under, Qt::LeftButton, {}, under->mapFromGlobal(place));
+  };
+  const int steps = document().undoStack().index();
+  const std::size_t all = doubts().size();
+  int clicked = 0;
+  for (std::size_t row = 0; row < rows().size(); ++row) {
+    const QRect box = list.visualRect(list.model()->index(static_cast<int>(row), 0));
+    if (!rows()[row].isDoubt() || !list.viewport()->rect().contains(box)) continue;
+    const QPoint place = list.viewport()->mapToGlobal(box.center());
+    clickOn(place);
+    ASSERT_TRUE(isAsked());
+    QApplication::processEvents(); // the question takes its place
+    clickOn(place);
+    EXPECT_EQ(document().undoStack().index(), steps);
+    ++clicked;
+    key(Qt::Key_Escape);
+    QTest::qWait(QGuiApplication::styleHints()->mouseDoubleClickInterval());
+  }
+  EXPECT_GE(clicked, 2);
+  EXPECT_EQ(doubts().size(), all);
+}
+
+TEST_F(SuspectsTest, TheListStaysInPlaceWhereNothingIsOfItsKind) {
+  choose(kinds(), "Thick on thin");
+  const int top = kinds().mapTo(&panel(), QPoint()).y();
+  document().undoStack().undo(); // nothing is thick on thin now
+  ASSERT_TRUE(QTest::qWaitFor([&] { return rows().empty(); }, 20'000));
+  QApplication::processEvents();
+  EXPECT_EQ(kinds().mapTo(&panel(), QPoint()).y(), top);
+  EXPECT_TRUE(find<QTreeView>("findings_list").isVisible());
+}
+
+TEST_F(SuspectsTest, AnotherKindIsShownFromItsFirstRow) {
+  auto& list = find<QTreeView>("findings_list");
+  list.scrollToBottom();
+  ASSERT_GT(list.verticalScrollBar()->value(), 0);
+  choose(places(), "Whole plant");
+  EXPECT_EQ(list.verticalScrollBar()->value(), 0);
 }
 
 TEST_F(SuspectsTest, BothKeysShowAndHideTheList) {

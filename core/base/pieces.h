@@ -6,8 +6,8 @@
 
 namespace espalier {
 
-/// As inPieces() of core/base/parallel.h, for sources that include Qt, which has a macro in the way
-/// of what that header includes.
+/// As inPieces() of core/base/parallel.h, for sources that include Qt: what that header includes
+/// does not compile after Qt's macros.
 void runInPieces(Eigen::Index count, Eigen::Index grain,
                  const std::function<void(Eigen::Index, Eigen::Index)>& work);
 

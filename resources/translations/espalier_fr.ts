@@ -13200,14 +13200,6 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
 <context>
     <name>espalier::SuspectsPanel</name>
     <message>
-        <source>◂ Previous</source>
-        <translation>◂ Précédent</translation>
-    </message>
-    <message>
-        <source>Next ▸</source>
-        <translation>Suivant ▸</translation>
-    </message>
-    <message>
         <source>◂ Take Back</source>
         <translation>◂ Retirer</translation>
     </message>

@@ -52,7 +52,11 @@ SuspectsPanel::SuspectsPanel(const PlantDocument& document, const Actions& actio
   auto* filters = new QVBoxLayout;
   filters->setSpacing(4);
   filters->addWidget(kinds_);
-  filters->addWidget(places_);
+  auto* place = new QHBoxLayout;
+  place->setSpacing(4);
+  place->addWidget(places_, 1);
+  place->addWidget(walk_); // over the list: under it, answers would come up where one clicks
+  filters->addLayout(place);
   column->addLayout(filters);
   makeList();
   column->addWidget(list_, 2);
@@ -61,9 +65,8 @@ SuspectsPanel::SuspectsPanel(const PlantDocument& document, const Actions& actio
   auto* walk = new QHBoxLayout(walk_);
   walk->setContentsMargins(0, 0, 0, 0);
   walk->setSpacing(4);
-  walk->addWidget(sharingButton(*actions.previous, tr("◂ Previous")));
-  walk->addWidget(sharingButton(*actions.next, tr("Next ▸")));
-  column->addWidget(walk_);
+  walk->addWidget(panelButton(*actions.previous, QStringLiteral("◂")));
+  walk->addWidget(panelButton(*actions.next, QStringLiteral("▸")));
   ignore_ = sharingButton(*actions.ignore);
   ignore_->setObjectName("findings_ignore");
   connect(actions.ignore, &QAction::changed, this, &SuspectsPanel::refreshShown);
@@ -146,21 +149,17 @@ void SuspectsPanel::makeList() {
     if (const auto row = current()) emit chosen(*row);
   };
   onEnter(*list_, report);
-  connect(list_, &QTreeView::clicked, this, [this, report] {
-    holdAnswers();
-    report();
-  });
+  connect(list_, &QTreeView::clicked, this, report);
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           &SuspectsPanel::currentChanged);
 }
 
 void SuspectsPanel::show(std::vector<Suspect> suspects) {
   model_->show(std::move(suspects));
-  list_->setVisible(model_->rowCount() > 0 || !kinds_->isHidden()); // what is chosen stays in place
   refreshShown();
 }
 
-/// The second click of a double click may land where an answer has just appeared.
+/// The second of two quick clicks may land where an answer has just come up.
 void SuspectsPanel::holdAnswers() {
   asked_->setAttribute(Qt::WA_TransparentForMouseEvents);
   QTimer::singleShot(QGuiApplication::styleHints()->mouseDoubleClickInterval(), asked_,
@@ -179,7 +178,9 @@ void SuspectsPanel::showFirst() {
 void SuspectsPanel::refreshShown() {
   const bool isListed = model_->rowCount() > 0;
   const bool isAsked = !asked_->isHidden();
-  walk_->setVisible(isListed && !isAsked);
+  const bool hasFields = !kinds_->isHidden(); // beside them, an empty list stays in place
+  walk_->setVisible(isListed || hasFields);
+  list_->setVisible(isListed || hasFields);
   ignore_->setVisible(isListed);
   ignore_->setEnabled(current().has_value()); // its key says what is missing
   sentence_->setVisible(!isAsked && !sentence_->text().isEmpty());
@@ -239,6 +240,7 @@ void SuspectsPanel::showAgreement(const QString& text, bool isOfNow) {
 }
 
 void SuspectsPanel::showQuestion(const std::optional<Doubt>& doubt, bool isByHand) {
+  if (doubt && asked_->isHidden()) holdAnswers();
   asked_->setVisible(doubt.has_value());
   none_->setVisible(!isByHand);
   refreshShown();

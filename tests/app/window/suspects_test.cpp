@@ -344,14 +344,36 @@ TEST_F(SuspectsTest, ADoubleClickOnADoubtAnswersNothing) {
   EXPECT_EQ(doubts().size(), all);
 }
 
+// However quickly one goes through them, and a question is among them.
+TEST_F(SuspectsTest, ClicksOnTheArrowGoOnAndAnswerNothing) {
+  auto& walk = find<QWidget>("findings_walk");
+  const QPoint next = walk.mapToGlobal(QPoint(walk.width() - 10, walk.height() / 2));
+  const int steps = document().undoStack().index();
+  bool wasAsked = false;
+  for (std::size_t i = 0; i < rows().size(); ++i) {
+    QWidget* under = window().childAt(window().mapFromGlobal(next));
+    ASSERT_NE(under, nullptr);
+    QTest::mouseClick(under, Qt::LeftButton, {}, under->mapFromGlobal(next));
+    QApplication::processEvents();
+    EXPECT_EQ(panel().current(), i);
+    wasAsked = wasAsked || isAsked();
+  }
+  EXPECT_TRUE(wasAsked);
+  EXPECT_EQ(document().undoStack().index(), steps);
+}
+
 TEST_F(SuspectsTest, TheListStaysInPlaceWhereNothingIsOfItsKind) {
   choose(kinds(), "Thick on thin");
-  const int top = kinds().mapTo(&panel(), QPoint()).y();
+  const auto& list = find<QTreeView>("findings_list");
+  const auto listUnderFields = [&] {
+    QApplication::processEvents();
+    return list.mapTo(&panel(), QPoint()).y() - kinds().mapTo(&panel(), QPoint()).y();
+  };
+  const int before = listUnderFields();
   document().undoStack().undo(); // nothing is thick on thin now
   ASSERT_TRUE(QTest::qWaitFor([&] { return rows().empty(); }, 20'000));
-  QApplication::processEvents();
-  EXPECT_EQ(kinds().mapTo(&panel(), QPoint()).y(), top);
-  EXPECT_TRUE(find<QTreeView>("findings_list").isVisible());
+  EXPECT_TRUE(list.isVisible());
+  EXPECT_EQ(listUnderFields(), before);
 }
 
 TEST_F(SuspectsTest, AnotherKindIsShownFromItsFirstRow) {

@@ -204,6 +204,7 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
       document_, queue_, distances, [&findings] { return findings.limits(); },
       [this] { return parts_.get<ReviewFlow>().reviewer(); },
       [this](const std::string& name) { parts_.get<ProjectFlow>().writeNow(name); }});
+  connect(&findings, &FindingsFlow::limitsChanged, &doubts, &DoubtsFlow::findAnew);
   auto& asking = parts_.make<AskingFlow>(
       AskingFlow::Parts{document_, *view_, *actions_, editing, doubts, distances, *this, reveal()});
   parts_.make<SuspectsFlow>(SuspectsFlow::Parts{document_, *view_, *actions_, distances, findings,

@@ -26,6 +26,17 @@ QToolButton* sharingButton(QAction& action, const QString& text) {
   return button;
 }
 
+QToolButton* keyedButton(QAction& action) {
+  QToolButton* button = sharingButton(action);
+  const auto showKey = [button, &action] { // after the button has taken the action's text
+    const QString key = action.shortcut().toString(QKeySequence::NativeText);
+    if (!key.isEmpty()) button->setText(key + QStringLiteral("  ") + action.text());
+  };
+  QObject::connect(&action, &QAction::changed, button, showKey);
+  showKey();
+  return button;
+}
+
 void passFocus(const QWidget& from, QWidget& to) {
   if (from.window()->focusWidget() == &from) to.setFocus(Qt::OtherFocusReason);
 }

@@ -36,7 +36,6 @@ SuspectsPanel::SuspectsPanel(const PlantDocument& document, const Actions& actio
       asked_(new QWidget), kinds_(new QComboBox), places_(new QComboBox), list_(new QTreeView),
       sentence_(makeLabel("findings_sentence", "quiet")), walk_(new QWidget) {
   setObjectName("findings_panel");
-  walk_->setObjectName("findings_walk");
   for (QLabel* label : {title_, agreement_, note_, question_, sentence_}) {
     label->setWordWrap(true);
     label->setMinimumWidth(72);
@@ -44,34 +43,22 @@ SuspectsPanel::SuspectsPanel(const PlantDocument& document, const Actions& actio
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 12, 8, 12);
   column->setSpacing(8);
+  // What comes and goes is below the list: nothing moves under the pointer of who goes through it.
   column->addWidget(title_);
-  column->addWidget(agreement_);
-  column->addWidget(note_);
   column->addWidget(sharingButton(*actions.ask));
   makeFilters();
-  auto* filters = new QVBoxLayout;
-  filters->setSpacing(4);
-  filters->addWidget(kinds_);
-  auto* place = new QHBoxLayout;
-  place->setSpacing(4);
-  place->addWidget(places_, 1);
-  place->addWidget(walk_); // over the list: under it, answers would come up where one clicks
-  filters->addLayout(place);
-  column->addLayout(filters);
+  makeWalk();
+  auto* fields = new QVBoxLayout;
+  fields->setSpacing(4);
+  for (QWidget* field : {static_cast<QWidget*>(kinds_), static_cast<QWidget*>(places_), walk_})
+    fields->addWidget(field);
+  column->addLayout(fields);
   makeList();
   column->addWidget(list_, 2);
-  column->addWidget(makeQuestion()); // so that the row that was clicked stays where it is
+  column->addWidget(makeQuestion());
   column->addWidget(sentence_);
-  auto* walk = new QHBoxLayout(walk_);
-  walk->setContentsMargins(0, 0, 0, 0);
-  walk->setSpacing(4);
-  walk->addWidget(panelButton(*actions.previous, QStringLiteral("◂")));
-  walk->addWidget(panelButton(*actions.next, QStringLiteral("▸")));
-  ignore_ = sharingButton(*actions.ignore);
-  ignore_->setObjectName("findings_ignore");
-  connect(actions.ignore, &QAction::changed, this, &SuspectsPanel::refreshShown);
-  connect(this, &SuspectsPanel::currentChanged, this, &SuspectsPanel::refreshShown);
-  column->addWidget(ignore_);
+  column->addWidget(note_);
+  column->addWidget(agreement_);
   rest_ = sharingButton(*actions.decideRest);
   column->addWidget(rest_);
   column->addWidget(&checks, 1);
@@ -80,6 +67,22 @@ SuspectsPanel::SuspectsPanel(const PlantDocument& document, const Actions& actio
   showNote({});
   showSentence({});
   showQuestion(std::nullopt, false);
+}
+
+void SuspectsPanel::makeWalk() {
+  walk_->setObjectName("findings_walk");
+  auto* walk = new QHBoxLayout(walk_);
+  walk->setContentsMargins(0, 0, 0, 0);
+  walk->setSpacing(4);
+  walk->addWidget(panelButton(*actions_.previous, QStringLiteral("◂")));
+  QToolButton* next = panelButton(*actions_.next, QStringLiteral("▸"));
+  next->setObjectName("findings_next");
+  walk->addWidget(next);
+  ignore_ = sharingButton(*actions_.ignore);
+  ignore_->setObjectName("findings_ignore");
+  walk->addWidget(ignore_, 1);
+  connect(actions_.ignore, &QAction::changed, this, &SuspectsPanel::refreshShown);
+  connect(this, &SuspectsPanel::currentChanged, this, &SuspectsPanel::refreshShown);
 }
 
 QWidget* SuspectsPanel::makeQuestion() {
@@ -98,7 +101,7 @@ QWidget* SuspectsPanel::makeQuestion() {
     answers_.push_back(button);
     asked->addWidget(button);
   }
-  none_ = sharingButton(*actions_.none);
+  none_ = keyedButton(*actions_.none);
   asked->addWidget(none_);
   auto* row = new QHBoxLayout;
   row->setSpacing(4);

@@ -74,6 +74,7 @@ signals:
 private:
   [[nodiscard]] QWidget* makeQuestion();
   void makeFilters();
+  void makeWalk();
   void makeList();
   void holdAnswers();
   void showFirst();

@@ -108,15 +108,19 @@ void DoubtsFlow::take(const SkeletonDelta& delta) {
     return at(doubt.node) || std::ranges::any_of(doubt.nodes, at);
   };
   if (std::ranges::any_of(delta.changes, changesWood)) {
-    isOutdated_ = true;
-    failure_.clear();
-    ++changes_;
     std::erase_if(found_, [&](const Doubt& doubt) {
       return isTouched(doubt) || !isThere(doubt, parts_.document.skeleton());
     });
-    if (!uses_.empty()) timer_.start(100); // [ms]: a drag is looked at when it rests
+    findAnew();
   }
   list();
+}
+
+void DoubtsFlow::findAnew() {
+  isOutdated_ = true;
+  failure_.clear();
+  ++changes_;
+  if (!uses_.empty()) timer_.start(100); // [ms]: a drag is looked at when it rests
 }
 
 void DoubtsFlow::dropAll() {

@@ -50,6 +50,7 @@ public:
   /// Why those of the plant as it is were not found; empty: nothing went wrong.
   [[nodiscard]] const QString& failure() const { return failure_; }
   void findAgain(); // after a failure
+  void findAnew();  // limits of the checks are others; those of before stay listed meanwhile
   /// Whether the points of the scan are apart, so that something may follow from them.
   [[nodiscard]] bool hasSpacing() const;
   /// What of the plant is right, as the odds say; none: it is not known.

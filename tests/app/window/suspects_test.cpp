@@ -13,10 +13,12 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QScrollBar>
 #include <QStyleHints>
 #include <QTest>
+#include <QToolButton>
 #include <QTreeView>
 
 #include <algorithm>
@@ -316,6 +318,17 @@ TEST_F(SuspectsTest, IgnoringAFindingGoesOnToTheNext) {
     EXPECT_NE(std::ranges::find(next, id), next.end());
 }
 
+TEST_F(SuspectsTest, TheAnswerThatNoneIsRightBeginsWithItsKey) {
+  go(first(true));
+  const QAction& none = action("answer_none");
+  const auto buttons = panel().findChildren<QToolButton*>();
+  const auto button = std::ranges::find(buttons, &none, &QToolButton::defaultAction);
+  ASSERT_NE(button, buttons.end());
+  EXPECT_EQ((*button)->text(), "0  None of These");
+  action("answer_none").setShortcut(Qt::Key_9); // as one may choose
+  EXPECT_EQ((*button)->text(), "9  None of These");
+}
+
 // A question comes up at once: the second click must not land on one of its answers.
 TEST_F(SuspectsTest, ADoubleClickOnADoubtAnswersNothing) {
   auto& list = find<QTreeView>("findings_list");
@@ -346,8 +359,8 @@ TEST_F(SuspectsTest, ADoubleClickOnADoubtAnswersNothing) {
 
 // However quickly one goes through them, and a question is among them.
 TEST_F(SuspectsTest, ClicksOnTheArrowGoOnAndAnswerNothing) {
-  auto& walk = find<QWidget>("findings_walk");
-  const QPoint next = walk.mapToGlobal(QPoint(walk.width() - 10, walk.height() / 2));
+  auto& button = find<QWidget>("findings_next");
+  const QPoint next = button.mapToGlobal(button.rect().center());
   const int steps = document().undoStack().index();
   bool wasAsked = false;
   for (std::size_t i = 0; i < rows().size(); ++i) {
@@ -362,6 +375,30 @@ TEST_F(SuspectsTest, ClicksOnTheArrowGoOnAndAnswerNothing) {
   EXPECT_EQ(document().undoStack().index(), steps);
 }
 
+// The expected agreement and what is being looked for are known later.
+TEST_F(SuspectsTest, WhatIsKnownLaterMovesNothingUnderThePointer) {
+  const QString text = QString("Known a little later. ").repeated(9);
+  const auto places = [&] {
+    QApplication::processEvents();
+    std::vector<QRect> all;
+    for (const char* name : {"findings_kind", "findings_place", "findings_next", "findings_ignore"})
+      all.emplace_back(find<QWidget>(name).mapTo(&window(), QPoint()), find<QWidget>(name).size());
+    auto& list = find<QTreeView>("findings_list");
+    all.emplace_back(list.viewport()->mapTo(&window(), QPoint()),
+                     QSize(0, list.visualRect(list.model()->index(0, 0)).height()));
+    return all;
+  };
+  panel().showAgreement({}, true);
+  panel().showNote({});
+  const auto before = places();
+  panel().showAgreement(text, true);
+  EXPECT_EQ(places(), before);
+  panel().showNote(text);
+  EXPECT_EQ(places(), before);
+  go(first(true)); // a question comes up
+  EXPECT_EQ(places(), before);
+}
+
 TEST_F(SuspectsTest, TheListStaysInPlaceWhereNothingIsOfItsKind) {
   choose(kinds(), "Thick on thin");
   const auto& list = find<QTreeView>("findings_list");
@@ -374,6 +411,18 @@ TEST_F(SuspectsTest, TheListStaysInPlaceWhereNothingIsOfItsKind) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return rows().empty(); }, 20'000));
   EXPECT_TRUE(list.isVisible());
   EXPECT_EQ(listUnderFields(), before);
+}
+
+// A missing branch is asked about where the checks find points that no wood explains.
+TEST_F(SuspectsTest, DoubtsFollowTheSensitivityOfTheChecks) {
+  const auto missing = [&] {
+    return std::ranges::count(doubts(), Doubt::Kind::missing, &Doubt::kind);
+  };
+  const auto before = missing();
+  find<QDoubleSpinBox>("sensitivity").setValue(16);
+  EXPECT_TRUE(window().part<DoubtsFlow>().isBusy());
+  ASSERT_TRUE(waitForAll());
+  EXPECT_GT(missing(), before);
 }
 
 TEST_F(SuspectsTest, AnotherKindIsShownFromItsFirstRow) {

@@ -71,7 +71,7 @@ void EditFlow::addHistory() {
 void EditFlow::refreshHistory() {
   const QUndoStack& stack = document_.undoStack();
   const bool isRegistering = later_ && later_->registration.isActive();
-  actions_["undo"]->setEnabled(isRegistering ? later_->registration.hasPlaces() : stack.canUndo());
+  actions_["undo"]->setEnabled(isRegistering ? later_->registration.hasWork() : stack.canUndo());
   actions_["redo"]->setEnabled(!isRegistering && stack.canRedo());
 }
 

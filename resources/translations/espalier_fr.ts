@@ -7463,14 +7463,6 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <translation>Colore les points de l’autre scan selon leur distance au scan ouvert&#xa0;: où les deux se recouvrent, et à quel point</translation>
     </message>
     <message>
-        <source>Take Back the Last Target</source>
-        <translation>Retirer la dernière cible</translation>
-    </message>
-    <message>
-        <source>Takes back the target that was clicked last, or the last pair</source>
-        <translation>Retire la dernière cible cliquée, ou la dernière paire</translation>
-    </message>
-    <message>
         <source>Reset Registration</source>
         <translation>Réinitialiser le recalage</translation>
     </message>
@@ -7669,6 +7661,18 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>Open %1</source>
         <translation>Ouvrir %1</translation>
+    </message>
+    <message>
+        <source>Take Back the Last Step</source>
+        <translation>Retirer la dernière étape</translation>
+    </message>
+    <message>
+        <source>Takes back the target that was clicked last, the last pair, or the fit by points</source>
+        <translation>Retire la dernière cible cliquée, la dernière paire ou l’ajustement par les points</translation>
+    </message>
+    <message>
+        <source>By points, the targets are %1 apart; by pairs alone they were %2. Look which lies better: Ctrl+Z takes the fit back.</source>
+        <translation>Par les points, les cibles sont à %1 l’une de l’autre&#xa0;; par les paires seules, elles étaient à %2. Regardez ce qui est le mieux placé&#xa0;: Ctrl+Z retire l’ajustement.</translation>
     </message>
 </context>
 <context>

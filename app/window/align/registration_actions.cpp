@@ -60,8 +60,9 @@ void RegistrationFlow::addActions() {
                .menu = menu},
               [this] { colorByDistance(); });
   actions.add({.id = "remove_last_target",
-               .text = tr("Take Back the Last Target"),
-               .help = tr("Takes back the target that was clicked last, or the last pair"),
+               .text = tr("Take Back the Last Step"),
+               .help = tr("Takes back the target that was clicked last, the last pair, or the fit "
+                          "by points"),
                .keys = Qt::Key_Backspace,
                .menu = menu},
               [this] { removeLast(); });
@@ -107,7 +108,7 @@ void RegistrationFlow::refreshActions() {
   actions["register_scan"]->setEnabled(isEnabled_ && parts_.document.scan() != nullptr);
   for (const char* id : {"fit_scan", colorId, "leave_registration"})
     actions[id]->setEnabled(isReady);
-  actions["remove_last_target"]->setEnabled(isReady && registration_.hasPlaces());
+  actions["remove_last_target"]->setEnabled(isReady && registration_.hasWork());
   actions["reset_registration"]->setEnabled(isReady && registration_.hasWork());
   actions["join_scans"]->setEnabled(isPlaced);
   actions["move_structure"]->setEnabled(isPlaced || (isEnabled_ && lastMotion_));

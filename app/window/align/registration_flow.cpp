@@ -77,7 +77,7 @@ void RegistrationFlow::takeScan(LoadedFiles files) {
 }
 
 void RegistrationFlow::removeLast() {
-  if (hasPlaces()) change([&] { registration_.removeLast(); });
+  if (hasWork()) change([&] { registration_.removeLast(); });
 }
 
 void RegistrationFlow::escape() {
@@ -266,10 +266,17 @@ QString RegistrationFlow::nextText() const {
 
 QString RegistrationFlow::warning() const {
   if (!registration_.refusal().empty()) return QString::fromStdString(registration_.refusal());
+  const auto& fit = registration_.byPoints();
+  const auto byPairs = registration_.rmsByPairs();
+  if (fit && byPairs && registration_.rms() > 3 * *byPairs &&
+      registration_.rms() > parts_.document.scan()->spacing())
+    return tr("By points, the targets are %1 apart; by pairs alone they were %2. Look which lies "
+              "better: Ctrl+Z takes the fit back.")
+        .arg(formatLength(registration_.rms(), parts_.document.unit(), 3),
+             formatLength(*byPairs, parts_.document.unit(), 3));
   constexpr double far = 0.02; // of the plant: clicks are nearer than that
   if (registration_.rms() > far * parts_.document.scan()->bounds().sizes().maxCoeff())
     return tr("The pairs do not fit together: one of them is not the same target in both.");
-  const auto& fit = registration_.byPoints();
   if (fit && !fit->converged)
     return tr("It still moved when it was stopped: pick more targets, and fit again.");
   constexpr double little = 0.2;

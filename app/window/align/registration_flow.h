@@ -46,8 +46,8 @@ public:
   /// @throws Error if there is no scan to lay it on, or a job is running
   void begin(const QString& path);
   [[nodiscard]] bool isActive() const { return other_ != nullptr; }
-  [[nodiscard]] bool hasPlaces() const { return isActive() && registration_.hasPlaces(); }
-  void removeLast(); // the place that was picked last, or the last pair
+  [[nodiscard]] bool hasWork() const { return isActive() && registration_.hasWork(); }
+  void removeLast(); // the place, pair or fit by points that came last
   void escape();     // drops a place that waits for its other, else leaves
 
   /// Writes both scans into one file, as a job, which becomes the scan of the plant as one step.

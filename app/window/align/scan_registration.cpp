@@ -23,11 +23,18 @@ void ScanRegistration::addMoved(const Eigen::Vector3d& place) {
 }
 
 void ScanRegistration::removeLast() {
-  assert(hasPlaces());
+  assert(hasWork());
   if (pending_)
     pending_.reset();
+  else if (byPoints_ && pairs_.size() <= pairsOfFit_)
+    byPoints_.reset();
   else
     removePair(pairs_.size() - 1);
+}
+
+void ScanRegistration::setFit(const CloudFit& fit) {
+  byPoints_ = fit;
+  pairsOfFit_ = pairs_.size();
 }
 
 void ScanRegistration::removePair(std::size_t pair) {
@@ -59,6 +66,10 @@ std::vector<double> ScanRegistration::residuals() const {
   for (const TargetPair& pair : pairs_)
     result.push_back((motion * pair.moved - pair.fixed).norm());
   return result;
+}
+
+std::optional<double> ScanRegistration::rmsByPairs() const {
+  return byPairs_ ? std::optional(byPairs_->rms) : std::nullopt;
 }
 
 double ScanRegistration::rms() const {

@@ -16,7 +16,31 @@ namespace {
 using Eigen::Vector3d;
 using testing::HasSubstr;
 
-struct RegisterTest : test::RegistrationTest {};
+struct RegisterTest : test::RegistrationTest {
+  const std::vector<Vector3d> spheres_ = {{0.9, -0.3, 0.3}, {-0.8, -0.3, 0.5}, {0.4, -0.4, 2.2}};
+
+  void addSpheres(const Vector3d& beside = Vector3d::Zero()) {
+    std::ofstream out(north_.toStdString(), std::ios::app);
+    Random random(5);
+    for (const Vector3d& center : spheres_)
+      for (int i = 0; i < 1500; ++i) {
+        const Vector3d direction(random.normal(), random.normal(), random.normal());
+        out << (center + beside + 0.07 * direction.normalized()).transpose() << '\n';
+      }
+  }
+  /// @param beside  how far those of the other scan were put elsewhere
+  void pickSpheres(const Vector3d& beside = Vector3d::Zero()) {
+    find<QCheckBox>("registration_spheres").setChecked(true);
+    find<QDoubleSpinBox>("registration_radius").setValue(0.07);
+    for (std::size_t i = 0; i < spheres_.size(); ++i) {
+      const QString before = next();
+      clickPlace(spheres_[i]);
+      EXPECT_TRUE(QTest::qWaitFor([&] { return next() != before; }, patience));
+      clickPlace(truth_.inverse() * (spheres_[i] + beside));
+      EXPECT_TRUE(QTest::qWaitFor([&] { return pairs().rowCount() == int(i) + 1; }, patience));
+    }
+  }
+};
 
 TEST_F(RegisterTest, AsksForATargetInOneScanThenInTheOther) {
   begin();
@@ -67,26 +91,10 @@ TEST_F(RegisterTest, ATargetOrAPairIsTakenBack) {
 }
 
 TEST_F(RegisterTest, CentersOfSpheresAreFoundFromAClickAnywhereOnThem) {
-  const std::vector<Vector3d> centers = {{0.9, -0.3, 0.3}, {-0.8, -0.3, 0.5}, {0.4, -0.4, 2.2}};
-  std::ofstream out(north_.toStdString(), std::ios::app);
-  Random random(5);
-  for (const Vector3d& center : centers)
-    for (int i = 0; i < 1500; ++i) {
-      const Vector3d direction(random.normal(), random.normal(), random.normal());
-      out << (center + 0.07 * direction.normalized()).transpose() << '\n';
-    }
-  out.close();
+  addSpheres();
   writeSouth();
   begin();
-  find<QCheckBox>("registration_spheres").setChecked(true);
-  find<QDoubleSpinBox>("registration_radius").setValue(0.07);
-  for (std::size_t i = 0; i < centers.size(); ++i) {
-    const QString before = next();
-    clickPlace(centers[i]);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return next() != before; }, patience));
-    clickPlace(truth_.inverse() * centers[i]);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return pairs().rowCount() == int(i) + 1; }, patience));
-  }
+  pickSpheres();
   const QString rms = find<QLabel>("registration_by_pairs").text();
   EXPECT_THAT(rms.toStdString(), testing::ContainsRegex("0\\.000"));
 }
@@ -101,6 +109,27 @@ TEST_F(RegisterTest, ItsPointsAreFittedAndColoredByDistance) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return view().picture({400, 400}) != before; }, patience));
   action("color_scan_distance").trigger();
   EXPECT_EQ(view().picture({400, 400}), before);
+}
+
+// The spheres were put elsewhere before the other scan.
+TEST_F(RegisterTest, SaysThatTargetsLieFartherApartByPointsAndTakesTheFitBack) {
+  const Vector3d beside(0, 0, -0.05);
+  writeScan("north.xyz");
+  addSpheres(beside);
+  writeSouth();
+  writeScan("north.xyz");
+  addSpheres();
+  begin();
+  pickSpheres(beside);
+  auto& warning = find<QLabel>("registration_warning");
+  EXPECT_EQ(warning.text(), "");
+  fit();
+  EXPECT_THAT(warning.text().toStdString(),
+              testing::AllOf(HasSubstr("By points, the targets are"), HasSubstr("Ctrl+Z")));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(warning.text(), "");
+  EXPECT_EQ(pairs().rowCount(), 3);
+  EXPECT_EQ(find<QLabel>("registration_by_points").text(), "");
 }
 
 TEST_F(RegisterTest, AFitThatIsCanceledChangesNothing) {

@@ -73,6 +73,32 @@ TEST(ScanRegistration, KeepsAFitByPointsUntilPairsSayOtherwise) {
   EXPECT_FALSE(registration.byPoints());
 }
 
+TEST(ScanRegistration, TakesBackAFitByPointsInItsTurn) {
+  ScanRegistration registration = withPairs(3);
+  ASSERT_TRUE(registration.rmsByPairs());
+  CloudFit fit;
+  fit.motion = Eigen::Translation3d(0, 0, 9);
+  registration.setFit(fit);
+  EXPECT_GT(registration.rms(), 1);
+  EXPECT_LT(*registration.rmsByPairs(), 1e-9);
+  registration.addFixed({9, 9, 9});
+  registration.removeLast(); // the place that came after it
+  EXPECT_TRUE(registration.byPoints());
+  registration.removeLast();
+  EXPECT_FALSE(registration.byPoints());
+  EXPECT_EQ(registration.pairs().size(), 3U);
+  EXPECT_LT(registration.rms(), 1e-9);
+
+  ScanRegistration early; // before any pair
+  early.setFit(fit);
+  early.addFixed({0, 0, 0});
+  early.addMoved({0, 0, 0});
+  early.removeLast();
+  EXPECT_TRUE(early.byPoints());
+  early.removeLast();
+  EXPECT_FALSE(early.hasWork());
+}
+
 TEST(ScanRegistration, GoesBackToWhereTheScanLayAtFirst) {
   ScanRegistration registration(shift);
   registration.setFit({});

@@ -1,5 +1,6 @@
 #include "app/cli/arguments.h"
 #include "app/cli/commands.h"
+#include "app/cli/crown_envelope.h"
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
 #include "app/cli/terminal.h"
@@ -35,24 +36,6 @@ struct EnvelopeFlags {
   std::string json;
   int threads = 0;
 };
-
-/// What the envelope is made about.
-struct EnvelopedPlant {
-  Eigen::Matrix3Xd places;
-  PlantScale scale;
-  std::string of; // "points" or "skeleton"
-};
-
-EnvelopedPlant ofPoints(const PointCloud& cloud, const PointSet& leftOut, UpAxis up,
-                        const Progress& progress) {
-  return {.places = placesOf(cloud, leftOut),
-          .scale = scaleOf(cloud, leftOut, up, progress),
-          .of = "points"};
-}
-
-EnvelopedPlant ofSkeleton(const Skeleton& skeleton, UpAxis up) {
-  return {.places = placesOf(skeleton), .scale = scaleOf(skeleton, up), .of = "skeleton"};
-}
 
 /// The scan that a project holds, or that lies where it says.
 std::optional<PointCloud> scanOfProject(const Project& project, const Progress& progress) {
@@ -105,31 +88,11 @@ nlohmann::ordered_json numbersOf(const Envelope& envelope, const EnvelopedPlant&
                                  const EnvelopeFlags& flags) {
   using Json = nlohmann::ordered_json;
   Json json = {{"kind", flags.kind},
-               {"of", plant.of},
+               {"of", plant.isOfSkeleton ? "skeleton" : "points"},
                {"unit", flags.unit.empty() ? Json() : Json(flags.unit)},
                {"points", plant.places.cols()}};
   json.update(numbersOf(envelope));
   return json;
-}
-
-void print(const Envelope& envelope, const std::string& unit) {
-  const auto line = [&](const std::string& label, double value, const char* power) {
-    const std::string in = unit.empty() ? "" : " " + unit + power;
-    std::printf("%-28s %12.7g%s\n", label.c_str(), value, in.c_str());
-  };
-  line("volume", envelope.volume, "^3");
-  line("area", envelope.area, "^2");
-  line("height", envelope.height, "");
-  line("crown diameter", envelope.diameter, "");
-  using Kind = EnvelopeParameter::Kind;
-  for (const EnvelopeParameter& each : envelope.parameters) {
-    if (each.kind == Kind::angle)
-      std::printf("%-28s %12.7g deg\n", each.label.c_str(), each.value * 180 / std::numbers::pi);
-    else if (each.kind == Kind::number)
-      std::printf("%-28s %12.7g\n", each.label.c_str(), each.value);
-    else
-      line(each.label, each.value, "");
-  }
 }
 
 void drawEnvelope(const EnvelopeFlags& flags) {
@@ -143,18 +106,13 @@ void drawEnvelope(const EnvelopeFlags& flags) {
   const TerminalProgress terminal;
   const Progress& whole = terminal.progress();
   const EnvelopedPlant plant = plantIn(flags, whole.part(0, 0.3, "Reading"));
-  const double meters = flags.unit == "mm"   ? 0.001
-                        : flags.unit == "cm" ? 0.01
-                        : flags.unit == "m"  ? 1.0
-                                             : 0.0;
   const Envelope envelope = about(flags.plant, [&] {
-    return envelopeAbout(plant.places, flags.up, kind,
-                         envelopeValues(kind, flags.settings, plant.scale, meters),
+    return crownEnvelope(plant, kind, flags.settings, flags.up, flags.unit,
                          whole.part(0.3, 1, "Envelope"));
   });
   terminal.check();
   terminal.clear();
-  print(envelope, flags.unit);
+  printEnvelope(envelope, flags.unit);
   writeAndReport(
       flags.output,
       [&](std::ostream& out) {
@@ -203,16 +161,7 @@ void addEnvelope(CLI::App& app) {
   const auto flags = std::make_shared<EnvelopeFlags>();
   command->add_option("PLANT", flags->plant, "A scan, a structure or a project")->required();
   command->add_option("-o,--output", flags->output, "Surface to write, as .ply or .obj");
-  std::vector<std::string> names;
-  std::string list;
-  for (const EnvelopeKind& kind : envelopeKinds()) {
-    names.push_back(kind.form.name);
-    list += (list.empty() ? ": " : ", ") + kind.form.name;
-  }
-  command->add_option("--kind", flags->kind, "What to draw" + list)
-      ->type_name("NAME")
-      ->capture_default_str()
-      ->check(oneOf(names));
+  addEnvelopeKind(*command, "--kind", flags->kind, "What to draw")->capture_default_str();
   addChoice(*command, "--of", flags->of,
             "What it is about; a plant has its points, where it has some",
             {{"plant", EnvelopeOf::plant},

@@ -1,6 +1,7 @@
 #include "app/about/version.h"
 #include "app/cli/arguments.h"
 #include "app/cli/commands.h"
+#include "app/cli/crown_envelope.h"
 #include "app/cli/evaluate_command.h"
 #include "app/cli/files.h"
 #include "app/cli/headless.h"
@@ -30,7 +31,8 @@ struct TraitsFlags {
   bool light = false;
   int pixels = LightOptions().pixels;
   std::string unit;
-  double density = 0; // of the wood [kg / m^3]; 0: not known
+  double density = 0;   // of the wood [kg / m^3]; 0: not known
+  std::string envelope; // the kind about its crown; empty: none
   std::string csv;
   std::string json;
   ReportFlags report;
@@ -108,6 +110,18 @@ void print(const PlantMeasures& measures, const std::string& unit) {
   printCompartments(measures, unit);
 }
 
+/// About the points of the scan, where one is given.
+ReportedEnvelope envelopeOf(const PlantReportData& data, const TraitsFlags& flags,
+                            const Progress& progress) {
+  const EnvelopeKind& kind = envelopeKindNamed(flags.envelope);
+  const EnvelopedPlant plant =
+      data.scan ? ofPoints(*data.scan, {}, flags.up, progress) : ofSkeleton(data.plant, flags.up);
+  return {.kind = kind.form.name,
+          .label = kind.form.label,
+          .isOfSkeleton = plant.isOfSkeleton,
+          .envelope = crownEnvelope(plant, kind, {}, flags.up, flags.unit, progress)};
+}
+
 /// @throws WrongUsage if nobody can say how much a volume is
 WoodDensity densityOf(const TraitsFlags& flags) {
   if (flags.density == 0) return {};
@@ -156,10 +170,19 @@ void measure(const TraitsFlags& flags) {
                               .density = density};
   if (flags.light) options.light = LightOptions{.pixels = flags.pixels};
   data.measures =
-      about(flags.file, [&] { return plantMeasures(data.plant, options, whole.part(0.1, 0.7)); });
+      about(flags.file, [&] { return plantMeasures(data.plant, options, whole.part(0.1, 0.6)); });
+  if (!flags.envelope.empty())
+    data.envelope = about(flags.report.scan.empty() ? flags.file : flags.report.scan, [&] {
+      return envelopeOf(data, flags, whole.part(0.6, 0.7, "Envelope"));
+    });
   printNotes(data.measures.warnings);
   terminal.clear();
   print(data.measures, flags.unit);
+  if (data.envelope) {
+    std::printf("\ncrown envelope: %s, about the %s\n", data.envelope->label.c_str(),
+                data.envelope->isOfSkeleton ? "skeleton" : "points");
+    printEnvelope(data.envelope->envelope, flags.unit);
+  }
   const PlantReportAbout reportAbout = aboutOf(flags);
   const nlohmann::ordered_json json = numbersOf(data, reportAbout);
   if (!flags.csv.empty()) writeTable(flags.csv, tableOf(json));
@@ -186,6 +209,9 @@ void addTraits(CLI::App& app) {
                    "Dry mass of the wood in kg per cubic meter, for biomass; needs --unit")
       ->type_name("KG")
       ->check(number(1, 2000));
+  addEnvelopeKind(*command, "--envelope", flags->envelope,
+                  "Measure a closed surface about the crown, about the points of --scan if there "
+                  "are some; espalier envelope takes options of its kind");
   addNumberFiles(*command, flags->csv, flags->json);
   addReport(*command, flags->report);
   addThreads(*command, flags->threads);
@@ -195,7 +221,8 @@ void addTraits(CLI::App& app) {
                   "Examples:\n"
                   "  espalier traits pine.mtg --unit m --density 420\n"
                   "  espalier traits pine.mtg --light --json numbers.json --csv numbers.csv\n"
-                  "  espalier traits pine.mtg --light --scan pine.ply --report pine.html");
+                  "  espalier traits pine.mtg --light --scan pine.ply --envelope alpha --report "
+                  "pine.html");
 }
 
 } // namespace espalier

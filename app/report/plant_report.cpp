@@ -280,7 +280,7 @@ ReportSection envelope(const Parts& parts) {
   add(numbers.inUnit(ReportText::tr("area"), 2), numbers.number(body.area));
   add(numbers.inUnit(ReportText::tr("height")), numbers.number(body.height));
   add(numbers.inUnit(ReportText::tr("crown diameter")), numbers.number(body.diameter));
-  for (const EnvelopeParameter& parameter : body.parameters)
+  for (const EnvelopeParameter& parameter : ownParameters(body))
     add(nameOf(parameter, numbers), parameter.kind == EnvelopeParameter::Kind::angle
                                         ? numbers.degrees(parameter.value)
                                         : numbers.number(parameter.value));

@@ -174,6 +174,12 @@ private:
 
 } // namespace
 
+std::vector<EnvelopeParameter> ownParameters(const Envelope& envelope) {
+  std::vector<EnvelopeParameter> result = envelope.parameters;
+  std::erase_if(result, [&](const EnvelopeParameter& each) { return each.name == "height"; });
+  return result;
+}
+
 Envelope envelopeOf(SurfaceMesh mesh, std::vector<EnvelopeParameter> parameters) {
   Envelope envelope;
   Eigen::AlignedBox3d box;

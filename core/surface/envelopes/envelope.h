@@ -31,6 +31,9 @@ struct Envelope {
   std::vector<std::vector<Eigen::Vector3d>> profiles = {};
 };
 
+/// Its parameters but those that it says of itself: the height that solids are made from.
+[[nodiscard]] std::vector<EnvelopeParameter> ownParameters(const Envelope& envelope);
+
 /// Envelope with the numbers of its mesh.
 [[nodiscard]] Envelope envelopeOf(SurfaceMesh mesh, std::vector<EnvelopeParameter> parameters = {});
 

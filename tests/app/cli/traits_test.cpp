@@ -64,6 +64,26 @@ TEST_F(Traits, GoIntoAReport) {
   EXPECT_THAT(html, HasSubstr("From each direction"));
 }
 
+TEST_F(Traits, HaveTheEnvelopeThatTheCommandOfEnvelopesDraws) {
+  const std::string printed = run({"traits", truth_, "--unit", "m", "--scan", scan_, "--envelope",
+                                   "cone", "--json", file("a.json"), "--csv", file("a.csv"),
+                                   "--report", file("tree.html")});
+  run({"envelope", scan_, "--kind", "cone", "--unit", "m", "--json", file("b.json")});
+  json alone = json::parse(bytesOf(file("a.json")))["envelope"];
+  json drawn = json::parse(bytesOf(file("b.json")));
+  EXPECT_EQ(alone["of"], "points");
+  for (const char* key : {"kind", "of", "volume", "area", "height", "diameter", "parameters"})
+    EXPECT_EQ(alone[key], drawn[key]) << key;
+  EXPECT_THAT(printed, HasSubstr("\ncrown envelope: Cone, about the points\nvolume"));
+  EXPECT_THAT(bytesOf(file("a.csv")), HasSubstr("\nenvelope.volume," + drawn["volume"].dump()));
+  EXPECT_THAT(bytesOf(file("tree.html")), HasSubstr("Crown envelope"));
+  const std::string below = printed.substr(printed.find("crown envelope"));
+  EXPECT_EQ(below.find("height"), below.rfind("height")) << "a cone's is that of its surface";
+  EXPECT_THAT(run({"traits", truth_, "--envelope", "cone"}), HasSubstr("about the skeleton\n"));
+  EXPECT_THAT(run({"traits", truth_}), Not(HasSubstr("crown envelope")));
+  EXPECT_EQ(runProgram({"traits", truth_, "--envelope", "egg"}).status, 2);
+}
+
 TEST_F(Traits, FollowTheAxisThatIsUp) {
   const auto heightAlong = [&](const char* up) {
     run({"traits", truth_, "--up", up, "--json", file("up.json")});

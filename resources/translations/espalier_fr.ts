@@ -4357,6 +4357,14 @@
         <source>the crown envelope of this project cannot be read: choose it again</source>
         <translation>l’enveloppe du houppier de ce projet ne peut pas être lue&#xa0;: choisissez-la à nouveau</translation>
     </message>
+    <message>
+        <source>Drawing it… %1 %</source>
+        <translation>Dessin en cours… %1 %</translation>
+    </message>
+    <message>
+        <source>Drag: move %1   Esc: put it back while you drag</source>
+        <translation>Glisser&#xa0;: déplacer %1   Échap&#xa0;: remettre en place pendant le glissement</translation>
+    </message>
 </context>
 <context>
     <name>espalier::EnvelopePanel</name>

@@ -219,6 +219,11 @@ void EnvelopePanel::showWords(const QString& words) {
   refresh();
 }
 
+void EnvelopePanel::showDrawing(const QString& words) {
+  words_->setText(words);
+  words_->show();
+}
+
 void EnvelopePanel::setStale(bool isStale) {
   for (QLabel* value : values_)
     setRole(*value, isStale ? "quiet" : "value");

@@ -50,8 +50,9 @@ public:
 
   /// @param handles  what it says of the handles
   void showNumbers(const std::vector<Number>& numbers, const QString& handles, bool isByHand);
-  void showWords(const QString& words); // in place of numbers: what to do, or why there are none
-  void setStale(bool isStale);          // it is being drawn anew
+  void showWords(const QString& words);   // in place of numbers: what to do, or why there are none
+  void setStale(bool isStale);            // it is being drawn anew
+  void showDrawing(const QString& words); // likewise, beside the numbers of before
 
 signals:
   void changed();      // the choice

@@ -203,9 +203,10 @@ signals:
   void cameraMoved(const espalier::Camera& camera); // to where it is now
   void dividerMoved(double across);                 // by hand
   // Emitted by the first view of a plant:
-  void clipChanged();        // or how far the back steps back
-  void colorScalesChanged(); // by hand
-  void envelopePressed();    // one of its handles
+  void clipChanged();                                      // or how far the back steps back
+  void colorScalesChanged();                               // by hand
+  void envelopeHovered(std::optional<std::size_t> handle); // none: no longer
+  void envelopePressed();                                  // one of its handles
   void envelopeDragged(std::size_t handle, const Eigen::Vector3d& to); // [L]
   void envelopeReleased();
   void envelopeGivenBack(); // Escape, or the keyboard goes elsewhere, in mid-drag

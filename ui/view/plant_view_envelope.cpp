@@ -28,6 +28,7 @@ void PlantView::Parts::hoverEnvelope(std::optional<std::size_t> handle) {
   else
     owner.setCursor(Qt::PointingHandCursor);
   if (handle) pointer.leave(); // it is no longer over the plant
+  emit shared->views.front()->owner.envelopeHovered(handle);
   overlayWidget->update();
 }
 

@@ -145,8 +145,13 @@ EnvelopeFlow::EnvelopeFlow(const Parts& parts) : parts_(parts) {
   });
   connect(&document, &PlantDocument::envelopeChanged, this, &EnvelopeFlow::takeStep);
   connect(&job_, &JobSlot::failed, this, &EnvelopeFlow::forget);
+  connect(&job_, &JobSlot::progressed, this, &EnvelopeFlow::showProgress);
   PlantView& view = parts_.view;
   connect(&view, &PlantView::envelopeDragged, this, &EnvelopeFlow::drag);
+  connect(&view, &PlantView::envelopeHovered, this, [this](std::optional<std::size_t> handle) {
+    hovered_ = handle;
+    emit hintChanged();
+  });
   connect(&view, &PlantView::envelopeReleased, this, [this] { endDrag(true); });
   connect(&view, &PlantView::envelopeGivenBack, this, [this] { endDrag(false); });
   keepInProject({.name = "envelope",
@@ -264,10 +269,19 @@ void EnvelopeFlow::fit() {
             .scale =
                 isOfSkeleton() ? scaleOf(document.skeleton(), document.up()) : document.scale(),
             .choice = choice_};
+  begun_.start();
   job_.start(
       tr("Crown envelope"),
       [asked = std::move(asked)](const Progress& progress) { return asked.run(progress); },
       [this, kind = choice_.kind](Envelope fitted) { take(std::move(fitted), *kind); });
+}
+
+/// Of what takes a moment; a shape of another kind is no longer what is asked for.
+void EnvelopeFlow::showProgress(double fraction) {
+  constexpr qint64 moment = 300; // [ms]
+  if (begun_.elapsed() < moment) return;
+  const QString words = tr("Drawing it… %1 %").arg(static_cast<int>(100 * fraction));
+  drawn_&& isOfChosenKind() ? panel_->showDrawing(words) : forgetDrawn(words);
 }
 
 void EnvelopeFlow::take(Envelope fitted, const EnvelopeKind& kind) {
@@ -279,6 +293,10 @@ void EnvelopeFlow::take(Envelope fitted, const EnvelopeKind& kind) {
 
 void EnvelopeFlow::forget(const QString& words) {
   stop();
+  forgetDrawn(words);
+}
+
+void EnvelopeFlow::forgetDrawn(const QString& words) {
   fitted_.reset();
   drawn_.reset();
   isFresh_ = false;
@@ -315,6 +333,15 @@ ShownEnvelope EnvelopeFlow::shown() const {
   return result;
 }
 
+QString EnvelopeFlow::hint() const {
+  if (!hovered_ || !drawn_ || !isOfChosenKind()) return {};
+  const std::vector<EnvelopeHandle> handles =
+      envelopeHandles(*drawn_, parts_.document.up(), *choice_.kind);
+  if (*hovered_ >= handles.size()) return {};
+  return tr("Drag: move %1   Esc: put it back while you drag")
+      .arg(numberedText(handles[*hovered_].label));
+}
+
 QString EnvelopeFlow::handleText() const {
   if (!choice_.kind->hasHandles())
     return tr("It follows from the plant alone: it has no handles to drag.");
@@ -334,7 +361,7 @@ std::vector<EnvelopePanel::Number> EnvelopeFlow::numbers() const {
       {tr("Crown diameter"), formatLength(drawn_->diameter, unit),
        tr("Of a circle as large as its convex outline from above")}};
   using Kind = EnvelopeParameter::Kind;
-  for (const EnvelopeParameter& each : drawn_->parameters) {
+  for (const EnvelopeParameter& each : ownParameters(*drawn_)) {
     if (each.kind == Kind::coordinate) continue; // the file of numbers has them
     QString label = numberedText(each.label);
     label[0] = label[0].toUpper();

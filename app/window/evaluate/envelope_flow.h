@@ -8,6 +8,7 @@
 #include "ui/panels/envelope_panel.h"
 #include "ui/view/envelope_overlay.h"
 
+#include <QElapsedTimer>
 #include <QTimer>
 
 #include <memory>
@@ -38,6 +39,7 @@ public:
   [[nodiscard]] bool isBusy() const override { return job_.isBusy(); }
   void stop() override;
   void setPlantShown(bool isShown) override;
+  [[nodiscard]] QString hint() const override; // over a handle
 
   /// As it is shown; none: it is not, or not of the plant as it is.
   [[nodiscard]] std::optional<ReportedEnvelope> reported() const;
@@ -55,8 +57,10 @@ private:
   void takeStep();
   void record(const QString& step, Gesture gesture = {});
   void fit();
+  void showProgress(double fraction);
   void take(Envelope fitted, const EnvelopeKind& kind);
   void forget(const QString& words = {});
+  void forgetDrawn(const QString& words);
   void show();
   void drag(std::size_t handle, const Eigen::Vector3d& to);
   void endDrag(bool isKept);
@@ -79,9 +83,11 @@ private:
   QTimer timer_;
   JobSlot job_{parts_.queue, JobPriority::asked};
   EnvelopeChoice choice_;
-  HandlePlaces places_; // that were dragged
-  QString dragged_;     // the handle that was last
-  Gesture choosing_;    // until what was chosen is drawn
+  HandlePlaces places_;                // that were dragged
+  QString dragged_;                    // the handle that was last
+  Gesture choosing_;                   // until what was chosen is drawn
+  QElapsedTimer begun_;                // the fit that runs
+  std::optional<std::size_t> hovered_; // handle
   std::optional<Envelope> fitted_;
   const EnvelopeKind* fittedKind_ = nullptr; // of fitted_
   std::optional<Envelope> drawn_;            // the same with handles where they were dragged to

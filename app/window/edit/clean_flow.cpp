@@ -204,8 +204,12 @@ void CleanFlow::refreshSelected() {
   const PointSet& chosen = parts_.document.pointSelection().points();
   const bool isFound = !foundName_.isEmpty() && chosen == found_;
   const bool mayBeSetAside = !chosen.isEmpty() && !document.isReadOnly();
-  if (!failure_.isEmpty())
-    panel_->showSelected(failure_, mayBeSetAside);
+  const QString selected =
+      chosen.isEmpty() ? QString()
+                       : tr("Selected: %1").arg(sharesText(chosen.size(), countOf(document)));
+  if (!failure_.isEmpty()) // what was selected before is so still
+    panel_->showSelected(chosen.isEmpty() ? failure_ : failure_ + QStringLiteral(". ") + selected,
+                         mayBeSetAside);
   else if (document.scan() == nullptr || (chosen.isEmpty() && !isFound))
     panel_->showSelected(tr("What is found is selected: mend it with the brush before you set it "
                             "aside."),
@@ -213,8 +217,7 @@ void CleanFlow::refreshSelected() {
   else if (chosen.isEmpty())
     panel_->showSelected(tr("%1: nothing found").arg(foundName_), false);
   else
-    panel_->showSelected(tr("Selected: %1").arg(sharesText(chosen.size(), countOf(document))),
-                         mayBeSetAside);
+    panel_->showSelected(selected, mayBeSetAside);
 }
 
 void CleanFlow::refreshAside() {

@@ -8,15 +8,17 @@
 namespace espalier {
 namespace {
 
-constexpr double slabShare = 1.0 / 12; // of the extent
-constexpr double footWidth = 0.2;      // of the plant's, at most
-constexpr double clearly = 2.5;        // times as wide
-constexpr double leastShare = 0.015;   // of all points in a slab
-constexpr std::size_t fewest = 10;     // points of a slab
+constexpr double slabShare = 1.0 / 12;  // of the extent
+constexpr double footWidth = 0.2;       // of the plant's, at most
+constexpr double clearly = 2.5;         // times as wide
+constexpr double leastShare = 0.015;    // of all points in a slab
+constexpr double leastHeight = 2.0 / 3; // of the extent along z, of a plant along x or y
+constexpr std::size_t fewest = 10;      // points of a slab
 
 struct Foot {
   double width = std::numeric_limits<double>::infinity(); // as a share of that of all points
   double share = 0;                                       // of all points in the emptier slab
+  double height = 0;                                      // of the plant along the axis [L]
 };
 
 double quantileOf(std::vector<double>& values, double share) {
@@ -47,7 +49,8 @@ Foot footAt(const std::vector<Eigen::Vector3d>& points, int axis) {
   std::vector<double> heights(points.size());
   std::ranges::transform(points, heights.begin(), [&](const auto& point) { return point[axis]; });
   const double low = quantileOf(heights, 0.002); // strays lie below
-  const double slab = slabShare * (quantileOf(heights, 0.998) - low);
+  const double height = quantileOf(heights, 0.998) - low;
+  const double slab = slabShare * height;
   std::vector<const Eigen::Vector3d*> all;
   std::array<std::vector<const Eigen::Vector3d*>, 2> slabs;
   for (const Eigen::Vector3d& point : points) {
@@ -59,7 +62,7 @@ Foot footAt(const std::vector<Eigen::Vector3d>& points, int axis) {
   if (!(width > 0)) return {};
   const std::size_t fewer = std::min(slabs[0].size(), slabs[1].size());
   return {std::max(widthOf(slabs[0], axis), widthOf(slabs[1], axis)) / width,
-          static_cast<double>(fewer) / static_cast<double>(points.size())};
+          static_cast<double>(fewer) / static_cast<double>(points.size()), height};
 }
 
 } // namespace
@@ -75,7 +78,8 @@ std::optional<UpAxis> likelyUp(const std::vector<Eigen::Vector3d>& points) {
   const auto* best = std::ranges::min_element(feet, {}, &Foot::width);
   const bool isClear = feet[2].width > clearly * best->width;
   if (feet[2].width <= footWidth && !isClear) return UpAxis::z;
-  if (best->width <= footWidth && best->share >= leastShare && isClear)
+  const bool isTall = best->height >= leastHeight * feet[2].height;
+  if (best->width <= footWidth && best->share >= leastShare && isClear && isTall)
     return static_cast<UpAxis>(best - feet.begin());
   return std::nullopt;
 }

@@ -16,7 +16,9 @@ namespace espalier {
 /// about the middle of each, by the median, against all points about theirs. A foot is where both
 /// are under a fifth. One of x or y counts only where z has none that is as much as 2.5 times as
 /// wide, and where each slab holds 1.5 % of the points: a twig that stands out at a side is as
-/// narrow, but holds fewer. (The feet of simulated trees hold 2 % and more.)
+/// narrow, but holds fewer. (The feet of simulated trees hold 2 % and more.) Nor does one along
+/// which the plant is less than two thirds as long as along z: most scanners stand upright, and few
+/// plants are that much wider than high.
 ///
 /// @param points  a sample of a scan [L], from all parts of it
 /// @return none if no foot is seen, as where the ground was scanned too

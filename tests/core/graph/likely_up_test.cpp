@@ -59,6 +59,22 @@ TEST(LikelyUp, IsNoTwigThatStandsOutAtASide) {
   EXPECT_EQ(likelyUp(seen.points.positions), std::nullopt);
 }
 
+/// A crown down to the ground, evenly filled, out of which a thick twig stands along y.
+std::vector<Eigen::Vector3d> crownWithTwig(double height) {
+  std::vector<Eigen::Vector3d> points;
+  Random random(3);
+  for (int i = 0; i < 4000; ++i)
+    points.emplace_back(random.uniform(), random.uniform(), height * random.uniform());
+  for (int i = 0; i < 300; ++i)
+    points.emplace_back(0.5 + 0.01 * random.uniform(), -0.4 * random.uniform(), height / 2);
+  return points;
+}
+
+TEST(LikelyUp, IsNoTwigOfAPlantThatIsMuchLongerAlongZ) {
+  EXPECT_EQ(likelyUp(crownWithTwig(1.2)), UpAxis::y);
+  EXPECT_EQ(likelyUp(crownWithTwig(3)), std::nullopt);
+}
+
 TEST(LikelyUp, IsNotGuessedWhereThereIsNoFoot) {
   std::vector<Eigen::Vector3d> points = tree();
   for (int i = 0; i < 6400; ++i) // ground

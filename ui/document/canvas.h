@@ -18,8 +18,10 @@ struct Preview {
   std::vector<std::vector<Eigen::Vector3d>> lines; // each from place to place
   std::vector<Eigen::Vector3d> nodes;
   QString label; // written at the end of the last line, else at the last node
+  /// What it is made of. An arrow at the rim of the view leads to one that the view does not show.
+  std::vector<Eigen::Vector3d> subjects = {};
 
-  [[nodiscard]] bool isEmpty() const { return lines.empty() && nodes.empty(); }
+  [[nodiscard]] bool isEmpty() const { return lines.empty() && nodes.empty() && subjects.empty(); }
   bool operator==(const Preview&) const = default;
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/skeleton/edits.h"
+#include "ui/document/length_unit.h"
 #include "ui/tools/node_edits.h"
 #include "ui/tools/screen_plane.h"
 
@@ -83,6 +84,7 @@ bool ReparentNodeTool::release(const ToolInput& input) {
 void ReparentNodeTool::take(const std::vector<NodeId>& nodes) {
   moving_ = nodes;
   document().selection().set(nodes);
+  canvas().showPreview({.lines = {}, .nodes = {}, .label = {}, .subjects = subjects()});
   emit hintChanged();
 }
 
@@ -109,8 +111,16 @@ bool ReparentNodeTool::isMoving(const Pick& pick) const {
   return pick.node && std::ranges::find(moving_, *pick.node) != moving_.end();
 }
 
+std::vector<Eigen::Vector3d> ReparentNodeTool::subjects() const {
+  std::vector<Eigen::Vector3d> places;
+  for (const NodeId id : moving_)
+    places.push_back(document().skeleton()[id].position);
+  return places;
+}
+
 void ReparentNodeTool::preview(const ToolInput& input) {
-  Preview shown;
+  Preview shown{.lines = {}, .nodes = {}, .label = {}, .subjects = subjects()};
+  double longest = 0; // edge that it would make [L]
   for (const NodeId id : moving_) {
     const Eigen::Vector3d from = document().skeleton()[id].position;
     std::optional<Eigen::Vector3d> to;
@@ -120,8 +130,11 @@ void ReparentNodeTool::preview(const ToolInput& input) {
       to = input.pick.edge->position;
     else if (isDragging_)
       to = meet(screenPlane(from, input), input);
-    if (to && !isMoving(input.pick)) shown.lines.push_back({*to, from});
+    if (!to || isMoving(input.pick)) continue;
+    shown.lines.push_back({*to, from});
+    longest = std::max(longest, (*to - from).norm());
   }
+  if (!shown.lines.empty()) shown.label = formatLength(longest, document().unit());
   canvas().showPreview(shown);
 }
 

@@ -29,6 +29,7 @@ private:
   void take(const std::vector<NodeId>& nodes);
   void attachTo(const Pick& target);
   [[nodiscard]] bool isMoving(const Pick& pick) const;
+  [[nodiscard]] std::vector<Eigen::Vector3d> subjects() const;
   void preview(const ToolInput& input);
   void end();
 

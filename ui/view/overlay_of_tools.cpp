@@ -6,6 +6,7 @@
 #include <QPainterPath>
 
 #include <algorithm>
+#include <cmath>
 
 namespace espalier {
 namespace {
@@ -30,6 +31,37 @@ QPainterPath pathOf(const Preview& preview, const ScreenMap& screen) {
     }
   }
   return path;
+}
+
+/// From the middle of the view to a place, which may be behind the eye.
+QPointF wayTo(const Eigen::Vector3d& place, const ScreenMap& screen) {
+  const QPointF middle(screen.size().x() / 2, screen.size().y() / 2);
+  if (const auto at = pixelOf(screen, place)) return *at - middle;
+  const Camera& camera = screen.camera();
+  const Eigen::Vector3d from = place - screen.eye();
+  return {from.dot(camera.right()), -from.dot(camera.up())};
+}
+
+/// An arrow at the rim of the view that leads to what lies beyond it.
+void paintRimArrow(QPainter& painter, const Eigen::Vector3d& place, const ScreenMap& screen,
+                   const Palette& colors) {
+  constexpr double inset = 8; // of its tip [px]
+  const QSizeF size(screen.size().x(), screen.size().y());
+  const auto at = pixelOf(screen, place);
+  if (at && QRectF(QPointF(), size).contains(*at)) return;
+  const QPointF way = wayTo(place, screen);
+  const double length = std::hypot(way.x(), way.y());
+  if (!(length > 0)) return;
+  const QPointF along = way / length;
+  const QPointF across(-along.y(), along.x());
+  const double toSide = (size.width() / 2 - inset) / std::max(std::abs(along.x()), 1e-9);
+  const double toEdge = (size.height() / 2 - inset) / std::max(std::abs(along.y()), 1e-9);
+  const QPointF tip =
+      QPointF(size.width() / 2, size.height() / 2) + std::min(toSide, toEdge) * along;
+  const QPolygonF arrow({tip, tip - 18 * along + 9 * across, tip - 18 * along - 9 * across});
+  painter.setPen(QPen(toQt(colors.outline, 200), 2, Qt::SolidLine, Qt::SquareCap, Qt::RoundJoin));
+  painter.setBrush(toQt(colors.contracted));
+  painter.drawPolygon(arrow);
 }
 
 } // namespace
@@ -69,6 +101,8 @@ void paintPreview(QPainter& painter, const Preview& preview, const ScreenMap& sc
   if (!isFar)
     for (const Eigen::Vector3d& node : preview.nodes)
       if (const auto at = pixelOf(screen, node)) painter.drawEllipse(*at, 4, 4);
+  for (const Eigen::Vector3d& subject : preview.subjects)
+    paintRimArrow(painter, subject, screen, colors);
   if (preview.label.isEmpty()) return;
   const bool hasLine = !preview.lines.empty() && !preview.lines.back().empty();
   if (!hasLine && preview.nodes.empty()) return;

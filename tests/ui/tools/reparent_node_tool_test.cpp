@@ -2,6 +2,7 @@
 #include "tests/support/plants.h"
 #include "tests/ui/tools/mouse.h"
 #include "tests/ui/tools/quiet_canvas.h"
+#include "ui/document/length_unit.h"
 #include "ui/tools/reparent_node_tool.h"
 
 #include <QSignalSpy>
@@ -32,6 +33,22 @@ TEST_F(ReparentNodeToolTest, AttachesTheNodeToTheOneClicked) {
   EXPECT_EQ(finished.size(), 1);
   document.undoStack().undo();
   EXPECT_EQ(document.skeleton(), test::fork(3));
+}
+
+// It may be off the screen by then.
+TEST_F(ReparentNodeToolTest, ShowsWhereItsNodesAreAndHowLongTheEdgeWouldBe) {
+  const Skeleton& plant = document.skeleton();
+  document.setUnit(LengthUnit::meter);
+  tool.startWith({NodeId{3}});
+  ASSERT_EQ(canvas.preview.subjects.size(), 1U);
+  EXPECT_EQ(canvas.preview.subjects[0], plant[NodeId{3}].position);
+  EXPECT_EQ(canvas.preview.label, "");
+  mouse.hover(onNode(NodeId{4}), {1, 2});
+  const double length = (plant[NodeId{3}].position - plant[NodeId{4}].position).norm();
+  EXPECT_EQ(canvas.preview.label, formatLength(length, LengthUnit::meter));
+  EXPECT_EQ(canvas.preview.subjects.size(), 1U);
+  mouse.escape();
+  EXPECT_TRUE(canvas.preview.isEmpty());
 }
 
 TEST_F(ReparentNodeToolTest, ChoosesTheNodeFirstWithoutOne) {

@@ -96,6 +96,42 @@ TEST(PaintedByTools, StandsOutFromPointsOfItsColor) {
   }
 }
 
+TEST(PaintedByTools, AnArrowAtTheRimLeadsToWhatTheViewDoesNotShow) {
+  Camera camera;
+  camera.frame(Eigen::AlignedBox3d(Eigen::Vector3d(-1, 0, -1), Eigen::Vector3d(1, 0, 1)), 2);
+  const ScreenMap screen(camera, {200, 100});
+  /// Where the middle of what is drawn lies, as seen from the middle of the view.
+  const auto drawnToward = [&](const Eigen::Vector3d& place) -> std::optional<QPointF> {
+    QImage image(200, 100, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    paintPreview(painter, {.lines = {}, .nodes = {}, .label = {}, .subjects = {place}}, screen,
+                 false);
+    QPointF sum;
+    int count = 0;
+    for (int y = 0; y < 100; ++y)
+      for (int x = 0; x < 200; ++x)
+        if (image.pixelColor(x, y) != QColor(Qt::white)) {
+          sum += QPointF(x - 100, y - 50);
+          ++count;
+        }
+    if (count == 0) return std::nullopt;
+    EXPECT_GT(count, 60);
+    return sum / count;
+  };
+  EXPECT_FALSE(drawnToward({0.5, 0, 0}));
+  const auto right = drawnToward({9, 0, 0});
+  ASSERT_TRUE(right);
+  EXPECT_GT(right->x(), 75);
+  EXPECT_NEAR(right->y(), 0, 3);
+  const auto above = drawnToward({0, 0, 9});
+  ASSERT_TRUE(above);
+  EXPECT_LT(above->y(), -25);
+  const auto behind = drawnToward({-2, -50, 0}); // behind the eye, to the left
+  ASSERT_TRUE(behind);
+  EXPECT_LT(behind->x(), -75);
+}
+
 /// A cloud colored by height, and another state of it on the right.
 class LegendsOfStates : public testing::Test {
 protected:

@@ -39,6 +39,7 @@ SuspectsPanel::SuspectsPanel(const PlantDocument& document, const Actions& actio
   for (QLabel* label : {title_, agreement_, note_, question_, sentence_}) {
     label->setWordWrap(true);
     label->setMinimumWidth(72);
+    label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   }
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 12, 8, 12);
@@ -62,6 +63,7 @@ SuspectsPanel::SuspectsPanel(const PlantDocument& document, const Actions& actio
   rest_ = sharingButton(*actions.decideRest);
   column->addWidget(rest_);
   column->addWidget(&checks, 1);
+  column->addStretch(); // without a list, what there is stays at the top
   show({});
   showAgreement({}, true);
   showNote({});

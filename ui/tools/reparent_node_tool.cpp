@@ -131,7 +131,7 @@ void ReparentNodeTool::preview(const ToolInput& input) {
     else if (isDragging_)
       to = meet(screenPlane(from, input), input);
     if (!to || isMoving(input.pick)) continue;
-    shown.lines.push_back({*to, from});
+    shown.lines.push_back({from, *to}); // the length is written where the pointer is
     longest = std::max(longest, (*to - from).norm());
   }
   if (!shown.lines.empty()) shown.label = formatLength(longest, document().unit());

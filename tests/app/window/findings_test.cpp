@@ -71,6 +71,7 @@ TEST_F(FindingsWindowTest, ThePanelSaysThatAllIsWell) {
   EXPECT_FALSE(list().isVisible());
   EXPECT_FALSE(find<QWidget>("findings_walk").isVisible()) << "there is nowhere to go";
   EXPECT_FALSE(find<QWidget>("findings_ignore").isVisible());
+  EXPECT_LT(find<QLabel>("findings_title").y(), 40) << "at the top, though there is no list";
   key(Qt::Key_F4, Qt::ControlModifier);
   EXPECT_EQ(window().statusLine().shownText(), "Choose a finding or a doubt to ignore it");
   key(Qt::Key_F8);

@@ -95,7 +95,7 @@ TEST_F(ReparentNodeToolTest, AttachesANodeToTheOneItIsDraggedOnto) {
   mouse.drag({1, 2}, onNode(NodeId{4}));
   const Skeleton& plant = document.skeleton();
   ASSERT_EQ(canvas.preview.lines.size(), 1U);
-  EXPECT_EQ(canvas.preview.lines[0].front(), plant[NodeId{4}].position);
+  EXPECT_EQ(canvas.preview.lines[0].back(), plant[NodeId{4}].position);
   EXPECT_TRUE(mouse.release(onNode(NodeId{4})));
   EXPECT_TRUE(canvas.preview.isEmpty());
   EXPECT_EQ(document.skeleton()[NodeId{3}].parent, NodeId{4});

@@ -119,6 +119,7 @@ ReportedEnvelope envelopeOf(const PlantReportData& data, const TraitsFlags& flag
   return {.kind = kind.form.name,
           .label = kind.form.label,
           .isOfSkeleton = plant.isOfSkeleton,
+          .isUsual = true,
           .envelope = crownEnvelope(plant, kind, {}, flags.up, flags.unit, progress)};
 }
 

@@ -280,10 +280,13 @@ ReportSection envelope(const Parts& parts) {
   add(numbers.inUnit(ReportText::tr("area"), 2), numbers.number(body.area));
   add(numbers.inUnit(ReportText::tr("height")), numbers.number(body.height));
   add(numbers.inUnit(ReportText::tr("crown diameter")), numbers.number(body.diameter));
-  for (const EnvelopeParameter& parameter : ownParameters(body))
-    add(nameOf(parameter, numbers), parameter.kind == EnvelopeParameter::Kind::angle
-                                        ? numbers.degrees(parameter.value)
+  for (const EnvelopeParameter& parameter : ownParameters(body)) {
+    using Kind = EnvelopeParameter::Kind;
+    add(nameOf(parameter, numbers), parameter.kind == Kind::angle ? numbers.degrees(parameter.value)
+                                    : parameter.kind == Kind::number
+                                        ? numbers.given(parameter.value)
                                         : numbers.number(parameter.value));
+  }
   section.blocks.emplace_back(std::move(table));
   return section;
 }
@@ -331,6 +334,11 @@ QString commandOf(const Parts& parts) {
     words.append(QStringLiteral("--density %1").arg(parts.data.measures.density.perCubicMeter));
   if (parts.data.up != UpAxis::z)
     words.append(QStringLiteral("--up ") + QChar(axisName(parts.data.up)));
+  if (const auto& envelope = parts.data.envelope; envelope && envelope->isUsual) {
+    words.append(QStringLiteral("--envelope ") + QString::fromStdString(envelope->kind));
+    if (!envelope->isOfSkeleton && parts.about.scan)
+      words.append(QStringLiteral("--scan ") + typedName(*parts.about.scan));
+  }
   words.append(QStringLiteral("--json numbers.json --csv numbers.csv"));
   return words.join(' ');
 }

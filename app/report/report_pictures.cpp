@@ -123,13 +123,20 @@ PictureSession::PictureSession(const Skeleton& plant, std::shared_ptr<const Poin
   shots_.push_back({&both_, cameraFrom(StandardView::right, aspect), size, &ReportPictures::side});
   if (!scan) return;
   scan_.setCloud(std::move(scan));
-  shots_.push_back({&scan_, front, size, &ReportPictures::scan});
+  // A structure may be in another frame than its scan.
+  const bool isThere = scan_.bounds().intersects(both_.bounds());
+  const Camera ofScan = isThere ? front : cameraFrom(StandardView::front, aspect, scan_);
+  shots_.push_back({&scan_, ofScan, size, &ReportPictures::scan});
 }
 
 Camera PictureSession::cameraFrom(StandardView view, double aspect) const {
+  return cameraFrom(view, aspect, both_);
+}
+
+Camera PictureSession::cameraFrom(StandardView view, double aspect, const Scene& scene) const {
   Camera camera{.projection = Projection::parallel, .upAxis = both_.up};
   camera.face(view);
-  camera.frame(both_.outline(), aspect);
+  camera.frame(scene.outline(), aspect);
   return camera;
 }
 

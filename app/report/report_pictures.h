@@ -59,7 +59,8 @@ private:
     std::vector<Mark> marks = {};
   };
   void addWholes(bool hasScan);
-  [[nodiscard]] Camera cameraFrom(StandardView view, double aspect) const;
+  [[nodiscard]] Camera cameraFrom(StandardView view, double aspect) const; // of the plants
+  [[nodiscard]] Camera cameraFrom(StandardView view, double aspect, const Scene& scene) const;
   void addErrors(const ReportData& data);
   [[nodiscard]] QImage draw(const Shot& shot) const;
 

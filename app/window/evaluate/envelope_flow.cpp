@@ -398,6 +398,7 @@ std::optional<ReportedEnvelope> EnvelopeFlow::reported() const {
                           .label = choice_.kind->form.label,
                           .isOfSkeleton = isOfSkeleton(),
                           .isByHand = isByHand(),
+                          .isUsual = !isByHand() && choice_.options.empty(),
                           .envelope = *drawn_};
 }
 

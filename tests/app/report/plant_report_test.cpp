@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/evaluate/traits_json.h"
 #include "tests/app/report/reported_plants.h"
+#include "tests/support/cloud_of.h"
 #include "tests/support/shared_data.h"
 
 #include <gtest/gtest.h>
@@ -87,6 +88,32 @@ TEST(PlantReport, SaysHowToGetTheSameNumbers) {
       << qPrintable(text);
 }
 
+TEST(PlantReport, SaysHowToGetTheSameEnvelopeWhereTheCommandLineCan) {
+  PlantReportData made = data();
+  made.envelope = ReportedEnvelope{.kind = "alpha", .label = "Alpha hull", .isUsual = true};
+  made.envelope->envelope.parameters = {{"pieces", "pieces", EnvelopeParameter::Kind::number, 1},
+                                        {"height", "height", EnvelopeParameter::Kind::length, 2}};
+  PlantReportAbout of = about();
+  of.scan = ReportedFile{"oak.ply", QString(64, 'b'), {}, "trees/oak.ply"};
+  const auto command = [&] {
+    return textOf(sectionOf(plantReport(made, {}, of), "How it was measured"));
+  };
+  EXPECT_TRUE(command().contains("--envelope alpha --scan trees/oak.ply --json"))
+      << qPrintable(command());
+  const Report report = plantReport(made, {}, of);
+  EXPECT_EQ(cellOf(sectionOf(report, "Crown envelope"), "pieces", 1), "1");
+  int heights = 0;
+  for (const ReportBlock& block : sectionOf(report, "Crown envelope").blocks)
+    if (const auto* table = std::get_if<ReportTable>(&block))
+      for (const auto& row : table->rows)
+        heights += row.front().text.startsWith("height");
+  EXPECT_EQ(heights, 1) << "that of the surface";
+  made.envelope->isOfSkeleton = true;
+  EXPECT_TRUE(command().contains("--envelope alpha --json"));
+  made.envelope->isUsual = false; // dragged, or by options
+  EXPECT_FALSE(command().contains("--envelope"));
+}
+
 TEST(PlantReport, LeavesOutWhatWasNotMeasured) {
   PlantReportData made = data();
   made.measures = plantMeasures(made.plant);
@@ -111,6 +138,27 @@ TEST(PlantReport, IsWrittenAsItsNameSays) {
   EXPECT_THROW(requirePlantReportName("oak.txt"), Error);
   EXPECT_TRUE(hasPictures("oak.PDF"));
   EXPECT_FALSE(hasPictures("oak.csv"));
+}
+
+// Its structure may be in another frame.
+TEST(PlantReport, ShowsAScanThatLiesElsewhere) {
+  Skeleton plant;
+  const NodeId foot = plant.add({.position = {0, 0, 0}, .radius = 0.02});
+  plant.add({.position = {0, 0, 2}, .radius = 0.02, .parent = foot});
+  Eigen::Matrix3Xf points(3, 4000);
+  for (int i = 0; i < 4000; ++i)
+    points.col(i) = Eigen::Vector3d(0.1 * std::cos(i), 0.1 * std::sin(i), 0.0005 * i).cast<float>();
+  const auto scan = test::cloudOf(points, {500, 0, 70});
+  PictureSession session(plant, scan, UpAxis::z);
+  while (session.drawNext()) {
+  }
+  if (!session.pictures().problem.isEmpty()) GTEST_SKIP() << "there is no OpenGL";
+  const QImage& image = session.pictures().scan;
+  int colored = 0;
+  for (int y = 0; y < image.height(); y += 2)
+    for (int x = 0; x < image.width(); x += 2)
+      colored += image.pixelColor(x, y).saturation() > 60;
+  EXPECT_GT(colored, 2000);
 }
 
 // A plant that stands along y is drawn standing: higher than wide.

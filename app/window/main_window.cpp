@@ -58,11 +58,12 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   setObjectName("main_window");
   setWindowIcon(programIcon());
   setAcceptDrops(true);
-  setMinimumSize(960, 600);
   // Knobs stay in reach while what they do is judged below the view.
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   constexpr QSize frame(16, 48); // what the desktop puts around a window, about
-  resize(QSize(1280, 800).boundedTo(screen()->availableSize() - frame));
+  const QSize room = screen()->availableSize() - frame; // little, where it is scaled up
+  setMinimumSize(QSize(960, 600).boundedTo(room));
+  resize(QSize(1280, 800).boundedTo(room));
   makeCenter();
   statusBar()->addPermanentWidget(status_, 1);
   statusBar()->setSizeGripEnabled(false);

@@ -19,6 +19,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStyleOptionButton>
@@ -46,6 +47,15 @@ TEST_F(MainWindowTest, StartsWithWhatToDoAndNoPanels) {
   EXPECT_FALSE(action("save").isEnabled());
   EXPECT_FALSE(action("reconstruct").isEnabled());
   EXPECT_EQ(window().windowTitle(), "Espalier");
+}
+
+// Where a screen is scaled up, it has little room.
+TEST_F(MainWindowTest, MayBeMadeAsSmallAsTheScreen) {
+  const QSize room = window().screen()->availableSize();
+  EXPECT_LT(window().minimumWidth(), room.width());
+  EXPECT_LT(window().minimumHeight(), room.height());
+  EXPECT_LE(window().minimumWidth(), 960);
+  EXPECT_LE(window().minimumHeight(), 600);
 }
 
 TEST_F(MainWindowTest, AsksForNoScanWhileOneIsRead) {

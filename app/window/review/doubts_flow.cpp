@@ -111,12 +111,17 @@ void DoubtsFlow::take(const SkeletonDelta& delta) {
     std::erase_if(found_, [&](const Doubt& doubt) {
       return isTouched(doubt) || !isThere(doubt, parts_.document.skeleton());
     });
-    findAnew();
+    outdate();
   }
   list();
 }
 
 void DoubtsFlow::findAnew() {
+  outdate();
+  emit changed();
+}
+
+void DoubtsFlow::outdate() {
   isOutdated_ = true;
   failure_.clear();
   ++changes_;

@@ -88,6 +88,7 @@ private:
     ErrorRatings ratings;
   };
   void take(const SkeletonDelta& delta);
+  void outdate();
   void dropAll();
   void refresh();
   void list();

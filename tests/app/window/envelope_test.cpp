@@ -1,4 +1,5 @@
 // The envelope about the crown, in the real window.
+#include "core/base/random.h"
 #include "core/pipeline/envelopes.h"
 #include "tests/app/window/project_fixture.h"
 #include "ui/panels/status_line.h"
@@ -11,6 +12,8 @@
 #include <QTest>
 #include <QToolButton>
 #include <nlohmann/json.hpp>
+
+#include <fstream>
 
 namespace espalier {
 namespace {
@@ -107,6 +110,10 @@ TEST_F(EnvelopeTest, OfEachKindIsDrawnAndMeasured) {
     EXPECT_TRUE(waitFor(volumeOf(fitted(kind.form.name)))) << number("Volume").toStdString();
     EXPECT_TRUE(number("Area").endsWith("m²")) << number("Area").toStdString();
     EXPECT_TRUE(number("Height").endsWith("m"));
+    int heights = 0;
+    for (const QLabel* value : window().findChildren<QLabel*>("envelope_value"))
+      heights += value->accessibleName() == "Height";
+    EXPECT_EQ(heights, 1);
   }
   EXPECT_GT(difference(before, view().picture({400, 400})), 2000) << "it is to be seen";
   find<QComboBox>("envelope_kind").setCurrentIndex(0);
@@ -171,6 +178,38 @@ TEST_F(EnvelopeTest, HasATopToDrag) {
   clickButton("envelope_fit");
   EXPECT_EQ(number("Volume"), volumeOf(before));
   EXPECT_FALSE(find<QPushButton>("envelope_fit").isVisible());
+}
+
+TEST_F(EnvelopeTest, SaysWhatADragOfAHandleMoves) {
+  openScan();
+  showFitted("cone");
+  const Envelope cone = fitted("cone");
+  hover(handle(cone, "top"));
+  EXPECT_TRUE(window().statusLine().shownText().startsWith("Drag: move "))
+      << window().statusLine().shownText().toStdString();
+  hover({3, 3});
+  EXPECT_FALSE(window().statusLine().shownText().startsWith("Drag: move "));
+}
+
+// The shape of before is not what is asked for.
+TEST_F(EnvelopeTest, SaysHowFarTheDrawingOfAnotherKindIs) {
+  std::ofstream out(path("ball.xyz").toStdString());
+  Random random(3);
+  for (int i = 0; i < 30'000; ++i)
+    out << (std::cbrt(random.uniform()) * random.direction()).transpose() << '\n';
+  out.close();
+  open({path("ball.xyz")});
+  document().setUnit(LengthUnit::meter);
+  action("show_crown_envelope").trigger();
+  choose("ball");
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !number("Volume").isEmpty(); }, patience));
+  choose("alpha");
+  const auto& words = find<QLabel>("envelope_words");
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return words.isVisible() && words.text().startsWith("Drawing it…"); }, patience));
+  EXPECT_EQ(number("Volume"), "");
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !number("Volume").isEmpty(); }, patience));
+  EXPECT_FALSE(words.isVisible());
 }
 
 TEST_F(EnvelopeTest, HasSidesToDrag) {

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace espalier {
@@ -135,19 +136,27 @@ void StepForm::choose(const PipelineOptions& options) {
                         ? 0
                         : method_->findData(QString::fromStdString(method->second));
   method_->setCurrentIndex(std::max(index, 0));
-  showMethod();
+  // Made anew only for another method: what Qt keeps of styled fields outlives them.
+  if (&form_->method() != &chosenMethod()) showMethod();
   const auto settings = options.settings.find(step_.name);
-  if (settings == options.settings.end()) return;
   const QSignalBlocker quiet(this);
-  for (OptionField* field : form_->fields())
-    if (const auto value = settings->second.find(field->option().name);
-        value != settings->second.end())
-      field->choose(value->second);
+  for (OptionField* field : form_->fields()) {
+    std::optional<Rule> chosen;
+    if (settings != options.settings.end())
+      if (const auto value = settings->second.find(field->option().name);
+          value != settings->second.end())
+        chosen = value->second;
+    field->choose(chosen);
+  }
+}
+
+const Method& StepForm::chosenMethod() const {
+  return step_.methods[static_cast<std::size_t>(method_->currentIndex())];
 }
 
 void StepForm::showMethod() {
   delete form_;
-  form_ = new MethodForm(step_.methods[static_cast<std::size_t>(method_->currentIndex())], body_);
+  form_ = new MethodForm(chosenMethod(), body_);
   form_->setScale(scale_, unit_);
   form_->setDensities(densities_);
   connect(form_, &MethodForm::changed, this, &StepForm::changed);

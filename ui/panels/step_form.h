@@ -49,6 +49,7 @@ signals:
 
 private:
   void showMethod();
+  [[nodiscard]] const Method& chosenMethod() const;
 
   const Step& step_;
   PlantScale scale_{.spacing = 1, .height = 100};

@@ -6,6 +6,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTranslator>
@@ -89,6 +90,19 @@ TEST_F(AdaptiveForm, KeepsTheDensitiesForAnotherMethodThatHasACurve) {
   options.methods["contract"] = "adaptive_geodesic";
   form_.choose(options);
   EXPECT_NE(curve().grab().toImage(), without);
+}
+
+TEST_F(AdaptiveForm, KeepsItsFieldsForOtherValuesOfTheSameMethod) {
+  const QPointer<QDoubleSpinBox> field = &number("least_radius");
+  field->setValue(8);
+  PipelineOptions options;
+  options.methods["contract"] = "adaptive_geodesic";
+  options.settings["contract"]["curve"] = fixedAt(2);
+  form_.choose(options);
+  EXPECT_EQ(field.data(), &number("least_radius"));
+  EXPECT_EQ(settings(), options.settings["contract"]);
+  EXPECT_EQ(curve().curve(), (DensityCurve::Curve{.least = 10, .most = 20, .exponent = 2}));
+  EXPECT_EQ(changed_.size(), 1) << "by the number, not by what it is given";
 }
 
 /// To a language in which all that core marks is written in brackets.

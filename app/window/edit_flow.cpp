@@ -8,6 +8,7 @@
 #include "app/window/review/asking_flow.h"
 #include "app/window/view/shown_flow.h"
 #include "ui/document/plant_document.h"
+#include "ui/view/plant_view.h"
 
 #include <QAction>
 
@@ -94,6 +95,8 @@ bool EditFlow::endsPreview(int step) {
 }
 
 void EditFlow::leave() {
+  PlantView& view = later_->editing.activeView();
+  if (view.isVisible()) view.setFocus(); // from whatever field: Enter there means something else
   if (later_->registration.isActive()) return later_->registration.escape();
   if (!later_->editing.isPending() && later_->asking.isShowing())
     return later_->asking.stopAsking();

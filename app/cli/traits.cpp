@@ -222,8 +222,8 @@ void addTraits(CLI::App& app) {
                   "Examples:\n"
                   "  espalier traits pine.mtg --unit m --density 420\n"
                   "  espalier traits pine.mtg --light --json numbers.json --csv numbers.csv\n"
-                  "  espalier traits pine.mtg --light --scan pine.ply --envelope alpha --report "
-                  "pine.html");
+                  "  espalier traits pine.mtg --light --scan pine.ply --report pine.html\n"
+                  "  espalier traits pine.mtg --scan pine.ply --envelope alpha");
 }
 
 } // namespace espalier

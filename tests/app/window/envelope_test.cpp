@@ -184,6 +184,10 @@ TEST_F(EnvelopeTest, SaysWhatADragOfAHandleMoves) {
   openScan();
   showFitted("cone");
   const Envelope cone = fitted("cone");
+  // What was noted stays for a glance, or until it has been there long enough.
+  ASSERT_TRUE(QTest::qWaitFor(
+      [this] { return !window().statusLine().shownText().startsWith("Crown envelope"); },
+      patience));
   hover(handle(cone, "top"));
   EXPECT_TRUE(window().statusLine().shownText().startsWith("Drag: move "))
       << window().statusLine().shownText().toStdString();

@@ -65,9 +65,9 @@ TEST_F(Traits, GoIntoAReport) {
 }
 
 TEST_F(Traits, HaveTheEnvelopeThatTheCommandOfEnvelopesDraws) {
-  const std::string printed = run({"traits", truth_, "--unit", "m", "--scan", scan_, "--envelope",
-                                   "cone", "--json", file("a.json"), "--csv", file("a.csv"),
-                                   "--report", file("tree.html")});
+  const std::string printed =
+      run({"traits", truth_, "--unit", "m", "--scan", scan_, "--envelope", "cone", "--json",
+           file("a.json"), "--csv", file("a.csv"), "--report", file("tree.html")});
   run({"envelope", scan_, "--kind", "cone", "--unit", "m", "--json", file("b.json")});
   json alone = json::parse(bytesOf(file("a.json")))["envelope"];
   json drawn = json::parse(bytesOf(file("b.json")));

@@ -14,7 +14,7 @@ struct ReportedEnvelope {
   std::string label;         // to people, in English
   bool isOfSkeleton = false; // about nodes, not points
   bool isByHand = false;     // handles of it were dragged
-  bool isUsual = false;      // nor was an option set: the command line makes it again
+  bool isUsual = false; // nor options set, nor points left out: the command line makes it again
   Envelope envelope;
 };
 

@@ -334,9 +334,10 @@ QString commandOf(const Parts& parts) {
     words.append(QStringLiteral("--density %1").arg(parts.data.measures.density.perCubicMeter));
   if (parts.data.up != UpAxis::z)
     words.append(QStringLiteral("--up ") + QChar(axisName(parts.data.up)));
-  if (const auto& envelope = parts.data.envelope; envelope && envelope->isUsual) {
+  const auto& envelope = parts.data.envelope;
+  if (envelope && envelope->isUsual && (envelope->isOfSkeleton || parts.about.scan)) {
     words.append(QStringLiteral("--envelope ") + QString::fromStdString(envelope->kind));
-    if (!envelope->isOfSkeleton && parts.about.scan)
+    if (!envelope->isOfSkeleton)
       words.append(QStringLiteral("--scan ") + typedName(*parts.about.scan));
   }
   words.append(QStringLiteral("--json numbers.json --csv numbers.csv"));

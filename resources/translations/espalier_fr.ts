@@ -7679,8 +7679,8 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <translation>Retire la dernière cible cliquée, la dernière paire ou l’ajustement par les points</translation>
     </message>
     <message>
-        <source>By points, the targets are %1 apart; by pairs alone they were %2. Look which lies better: Ctrl+Z takes the fit back.</source>
-        <translation>Par les points, les cibles sont à %1 l’une de l’autre&#xa0;; par les paires seules, elles étaient à %2. Regardez ce qui est le mieux placé&#xa0;: Ctrl+Z retire l’ajustement.</translation>
+        <source>By points, the targets are %1 apart; by pairs alone they were %2. Look which lies better: {undo} takes the fit back.</source>
+        <translation>Par les points, les cibles sont à %1 l’une de l’autre&#xa0;; par les paires seules, elles étaient à %2. Regardez ce qui est le mieux placé&#xa0;: {undo} retire l’ajustement.</translation>
     </message>
 </context>
 <context>

@@ -5,8 +5,8 @@
 //
 // A plant is reconstructed by default, and its doubts are parted at the median of where they are,
 // along the axis on which they reach farthest. Of one half the program asks, what matters most
-// first, and the reference answers; then the same the other way round. Of the half that was not
-// asked about, with odds as they were fitted and as they are learned, are printed: how well the
+// first, and the reference answers; then the same with the halves exchanged. Of the half that was
+// not asked about, with odds as they were fitted and as they are learned, are printed: how well the
 // odds fit what is right (mean of minus the logarithm of the probability of what is so), the share
 // of doubts of which the most probable alternative is right, and how much of the whole plant is
 // right as it is, and once that half is decided by its odds.

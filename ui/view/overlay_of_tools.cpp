@@ -34,7 +34,7 @@ QPainterPath pathOf(const Preview& preview, const ScreenMap& screen) {
 }
 
 /// From the middle of the view to a place, which may be behind the eye.
-QPointF wayTo(const Eigen::Vector3d& place, const ScreenMap& screen) {
+QPointF directionTo(const Eigen::Vector3d& place, const ScreenMap& screen) {
   const QPointF middle(screen.size().x() / 2, screen.size().y() / 2);
   if (const auto at = pixelOf(screen, place)) return *at - middle;
   const Camera& camera = screen.camera();
@@ -49,10 +49,10 @@ void paintRimArrow(QPainter& painter, const Eigen::Vector3d& place, const Screen
   const QSizeF size(screen.size().x(), screen.size().y());
   const auto at = pixelOf(screen, place);
   if (at && QRectF(QPointF(), size).contains(*at)) return;
-  const QPointF way = wayTo(place, screen);
-  const double length = std::hypot(way.x(), way.y());
+  const QPointF toward = directionTo(place, screen);
+  const double length = std::hypot(toward.x(), toward.y());
   if (!(length > 0)) return;
-  const QPointF along = way / length;
+  const QPointF along = toward / length;
   const QPointF across(-along.y(), along.x());
   const double toSide = (size.width() / 2 - inset) / std::max(std::abs(along.x()), 1e-9);
   const double toEdge = (size.height() / 2 - inset) / std::max(std::abs(along.y()), 1e-9);

@@ -270,10 +270,11 @@ QString RegistrationFlow::warning() const {
   const auto byPairs = registration_.rmsByPairs();
   if (fit && byPairs && registration_.rms() > 3 * *byPairs &&
       registration_.rms() > parts_.document.scan()->spacing())
-    return tr("By points, the targets are %1 apart; by pairs alone they were %2. Look which lies "
-              "better: Ctrl+Z takes the fit back.")
-        .arg(formatLength(registration_.rms(), parts_.document.unit(), 3),
-             formatLength(*byPairs, parts_.document.unit(), 3));
+    return withKeys(tr("By points, the targets are %1 apart; by pairs alone they were %2. Look "
+                       "which lies better: {undo} takes the fit back.")
+                        .arg(formatLength(registration_.rms(), parts_.document.unit(), 3),
+                             formatLength(*byPairs, parts_.document.unit(), 3)),
+                    parts_.window.actions);
   constexpr double far = 0.02; // of the plant: clicks are nearer than that
   if (registration_.rms() > far * parts_.document.scan()->bounds().sizes().maxCoeff())
     return tr("The pairs do not fit together: one of them is not the same target in both.");

@@ -398,7 +398,8 @@ std::optional<ReportedEnvelope> EnvelopeFlow::reported() const {
                           .label = choice_.kind->form.label,
                           .isOfSkeleton = isOfSkeleton(),
                           .isByHand = isByHand(),
-                          .isUsual = !isByHand() && choice_.options.empty(),
+                          .isUsual = !isByHand() && choice_.options.empty() &&
+                                     (isOfSkeleton() || parts_.document.leftOut().isEmpty()),
                           .envelope = *drawn_};
 }
 

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <sstream>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -100,6 +101,9 @@ TEST(PlantReport, SaysHowToGetTheSameEnvelopeWhereTheCommandLineCan) {
   };
   EXPECT_TRUE(command().contains("--envelope alpha --scan trees/oak.ply --json"))
       << qPrintable(command());
+  const auto scan = std::exchange(of.scan, std::nullopt);
+  EXPECT_FALSE(command().contains("--envelope")) << "it would be about the skeleton";
+  of.scan = scan;
   const Report report = plantReport(made, {}, of);
   EXPECT_EQ(cellOf(sectionOf(report, "Crown envelope"), "pieces", 1), "1");
   int heights = 0;
@@ -110,7 +114,7 @@ TEST(PlantReport, SaysHowToGetTheSameEnvelopeWhereTheCommandLineCan) {
   EXPECT_EQ(heights, 1) << "that of the surface";
   made.envelope->isOfSkeleton = true;
   EXPECT_TRUE(command().contains("--envelope alpha --json"));
-  made.envelope->isUsual = false; // dragged, or by options
+  made.envelope->isUsual = false; // dragged, by options, or of some of the points
   EXPECT_FALSE(command().contains("--envelope"));
 }
 

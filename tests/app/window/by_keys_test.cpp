@@ -39,7 +39,7 @@ struct Mistakes {
 
 class ByKeysTest : public test::WindowTest {
 protected:
-  static constexpr int mostTabs = 12; // to one field: more is no way for a hand
+  static constexpr int mostTabs = 12; // to one field: a hand presses no more
 
   /// What has it; a window manager gives it to the window again once a list has closed.
   QWidget* keyboard() {
@@ -95,7 +95,7 @@ protected:
     type(words);
     press(Qt::Key_Return);
   }
-  /// How many keys were pressed since the part of the way before.
+  /// How many keys were pressed since the part before.
   void endPart(const std::string& name) {
     EXPECT_EQ(keyboard(), &view()) << name;
     RecordProperty(name, pressed_);

@@ -16,9 +16,10 @@ struct GapAlternative {
 
 /// By which of several links some wood beyond a gap is attached to the rest of the plant.
 struct GapDecision {
-  std::vector<GapAlternative> alternatives; // the most probable first; at most 4 and the chosen one
-  std::size_t chosen = 0;                   // the most probable, unless another link forbids that
-  std::size_t nodes = 0;                    // of the fragment that it attaches
+  /// The most probable first; at most 4 and the chosen one. Links that are alike are one.
+  std::vector<GapAlternative> alternatives;
+  std::size_t chosen = 0; // the most probable, unless another link forbids that
+  std::size_t nodes = 0;  // of the fragment that it attaches
 };
 
 struct DecidedGaps {

@@ -150,9 +150,15 @@ private:
                              .backCost = length(usual.backCost)};
     const Gaps gaps = gapsIn(skeleton_, options, progress);
     const std::vector<double> odds = probabilitiesOf(gaps, scale_.spacing, up_);
-    for (std::size_t i = 0; i < gaps.links.size(); ++i)
-      if (gaps.links[i].evidence.isThere)
-        of(gaps.links[i].to).gap = std::max(of(gaps.links[i].to).gap, 1 - odds[i]);
+    std::vector<const GapLink*> there(gaps.entries.size()); // by the fragment that it bears
+    for (const GapLink& link : gaps.links)
+      if (link.evidence.isThere) there[link.borne] = &link;
+    for (std::size_t i = 0; i < gaps.links.size(); ++i) {
+      const GapLink& link = gaps.links[i];
+      if (const GapLink* now = there[link.borne];
+          now && !isAlike(skeleton_, link, *now, alikeWithin * scale_.spacing))
+        of(now->to).gap += odds[i];
+    }
   }
 
   void addSurroundings(const Progress& progress) {

@@ -3,7 +3,8 @@
 //
 //   espalier_fit_gaps [--plants N] [--others M]
 //
-// N plants, 120 if it is not said, are fitted on, the next M, 60, are judged by. A link is right if
+// N plants, 120 if it is not said, are fitted on, the next M, 60, are judged by. Fitted are gaps of
+// over five spacings: there are many more short ones, which are easy. A link is right if
 // in the truth the wood that it bears is attached to the place it comes from, with hardly any other
 // scanned wood between; fragments that no link bears so are passed over. Each plant weighs as the
 // root of its fragments.
@@ -59,7 +60,7 @@ std::vector<Choice> choicesOf(std::uint64_t number) {
   const Skeleton& skeleton = *found.skeleton;
   const double spacing = found.scale.spacing;
   GapOptions options;
-  options.widest = options.widest.rule().value(found.scale);
+  options.widest = 5 * spacing;
   options.reach = options.reach.rule().value(found.scale);
   options.backCost = options.backCost.rule().value(found.scale);
   const Gaps gaps = gapsIn(skeleton, options);
@@ -74,8 +75,13 @@ std::vector<Choice> choicesOf(std::uint64_t number) {
       judged.push_back({skeleton[link->from].position, skeleton[link->to].position});
     Choice choice{.links = {}, .isRight = rightOf(judged, truth, spacing)};
     if (choice.isRight.empty()) continue;
-    for (const GapLink* link : links)
-      choice.links.push_back(featuresOf(link->evidence, spacing, Eigen::Vector3d::UnitZ()));
+    choice.alike.resize(links.size());
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      choice.links.push_back(featuresOf(links[i]->evidence, spacing, Eigen::Vector3d::UnitZ()));
+      for (std::size_t k = 0; k < links.size(); ++k)
+        if (k != i && isAlike(skeleton, *links[i], *links[k], alikeWithin * spacing))
+          choice.alike[i].push_back(k);
+    }
     choices.push_back(std::move(choice));
   }
   for (Choice& choice : choices)

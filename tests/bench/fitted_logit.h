@@ -17,6 +17,8 @@ namespace espalier {
 template <std::size_t Features> struct LinkChoice {
   std::vector<std::array<double, Features>> links;
   std::vector<bool> isRight; // by link; several may be
+  /// By link: the others that are the same answer; empty: none of any are.
+  std::vector<std::vector<std::size_t>> alike = {};
   double weight = 1;
 };
 
@@ -122,7 +124,11 @@ void printReliability(const std::vector<LinkChoice<Features>>& choices,
     double sum = 0;
     for (const double value : values)
       sum += std::exp(value - *best);
-    const double probability = 1 / sum;
+    double of = 1; // what is the same answer, by how probable the best is
+    if (!choice.alike.empty())
+      for (const std::size_t other : choice.alike[place])
+        of += std::exp(values[other] - *best);
+    const double probability = of / sum;
     Bin& bin = bins[std::min<std::size_t>(9, static_cast<std::size_t>(10 * probability))];
     bin.said += probability;
     bin.were += choice.isRight[place];

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <numbers>
@@ -88,6 +89,55 @@ TEST(DecideGaps, GivesProbabilitiesThatAddUpToOneForEachFragment) {
     if (sum > 0) {
       EXPECT_NEAR(sum, 1, 1e-12);
     }
+}
+
+/// The links of a fragment to one that bears it, of an axis along x and a branch beyond a gap whose
+/// line leads back to the axis at x = 2, though x = 8 is nearer.
+std::vector<GapLink> linksOfASlantingBranch(const std::optional<Eigen::Vector3d>& between = {}) {
+  Skeleton plant;
+  const auto axis = growOn(plant, std::nullopt, {0, 0, 0}, {1, 0, 0}, 12);
+  growOn(plant, axis[8], {8, 0, 3}, {2, 0, 1}, 4);
+  if (between) growOn(plant, axis[0], *between, {0, 0.3, 0}, 3);
+  std::vector<GapLink> links;
+  const Gaps gaps = gapsIn(plant, {.widest = 2.5, .reach = 8, .backCost = 2});
+  for (const GapLink& link : gaps.links)
+    if (link.to == NodeId{12} && indexOf(link.from) < 12) links.push_back(link);
+  return links;
+}
+
+TEST(GapLinks, OfferTheShortestAndTheStraightest) {
+  const std::vector<GapLink> links = linksOfASlantingBranch();
+  ASSERT_GE(links.size(), 2U);
+  const auto shortest =
+      std::ranges::min_element(links, {}, [](const GapLink& link) { return link.evidence.length; });
+  EXPECT_EQ(shortest->from, NodeId{8});
+  EXPECT_NEAR(shortest->evidence.length, 3, 1e-9);
+  EXPECT_NEAR(shortest->evidence.turn, 0, 1e-9);
+  EXPECT_NEAR(shortest->evidence.miss, 3 * 2 / std::sqrt(5), 1e-9);
+  EXPECT_TRUE(shortest->evidence.isThere);
+  const auto straightest =
+      std::ranges::min_element(links, {}, [](const GapLink& link) { return link.evidence.miss; });
+  EXPECT_LT(indexOf(straightest->from), 6U);
+  EXPECT_LT(straightest->evidence.miss, 1.5);
+  EXPECT_FALSE(straightest->evidence.isThere);
+  for (const GapLink& one : links) // no two from about the same place
+    for (const GapLink& other : links)
+      if (&one != &other) {
+        EXPECT_GT(std::abs(static_cast<double>(indexOf(one.from)) -
+                           static_cast<double>(indexOf(other.from))),
+                  1);
+      }
+}
+
+TEST(GapLinks, SayWhereOtherWoodLiesBetween) {
+  const auto passed = [](const std::vector<GapLink>& links) {
+    double most = 0;
+    for (const GapLink& link : links)
+      most = std::max(most, link.evidence.passes);
+    return most;
+  };
+  EXPECT_EQ(passed(linksOfASlantingBranch()), 0);
+  EXPECT_GT(passed(linksOfASlantingBranch(Eigen::Vector3d(8, -0.3, 1.5))), 0);
 }
 
 TEST(DecideGaps, FollowsTheAxisThatIsUp) {

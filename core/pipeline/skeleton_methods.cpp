@@ -22,6 +22,11 @@ Method geodesicBinsMethod() {
           Shown::tr("How much more a link costs across the wood than along it, when twigs touch; 0 "
                     "takes the shortest path.")),
       &Options::turnCost);
+  table.add(ratioOption("ring", Shown::tr("Ring"), 0, 10,
+                        Shown::tr("Two sides of wood that lie nearer to each other than this, in "
+                                  "bin widths, and part below and meet above, are one; 0 keeps "
+                                  "both.")),
+            &Options::ring);
   table.add(linkKindOption(), &Options::neighbors, &PointLinks::kind);
   return {.name = "geodesic_bins",
           .label = Shown::tr("Geodesic bins"),

@@ -3,6 +3,7 @@
 #include "core/graph/arborescence.h"
 #include "core/graph/components.h"
 #include "core/graph/neighborhood_graph.h"
+#include "core/reconstruct/closed_rings.h"
 #include "core/reconstruct/geodesic_groups.h"
 
 #include <queue>
@@ -96,8 +97,9 @@ Skeleton skeletonByGeodesicBins(const Eigen::Matrix3Xf& points, Eigen::Index roo
   const float widestGap = options.widestGap > 0 ? static_cast<float>(options.widestGap)
                                                 : std::numeric_limits<float>::max();
   const NeighborhoodGraph graph = joined(parts, points, widestGap, progress.part(0.4, 0.6));
-  const Groups groups =
-      geodesicGroups(graph, points, root, options.binWidth, progress.part(0.6, 0.9));
+  Groups groups = geodesicGroups(graph, points, root, options.binWidth, progress.part(0.6, 0.9));
+  if (options.ring > 0)
+    groups = withClosedRings(std::move(groups), points, options.ring * options.binWidth);
   Skeleton skeleton =
       options.turnCost > 0 ? cheapestTreeOf(groups, options.turnCost) : shortestTreeOf(groups);
   progress.update(1);

@@ -64,7 +64,10 @@ Eigen::Vector3d axisOf(const Eigen::Matrix3d& scatter) {
   return (1 - std::max(0.0, solver.eigenvalues()[1]) / widest) * solver.eigenvectors().col(2);
 }
 
-void measure(GeodesicGroups& groups, const Eigen::Matrix3Xf& points, std::size_t count) {
+} // namespace
+
+void measure(GeodesicGroups& groups, const Eigen::Matrix3Xf& points) {
+  const std::size_t count = groups.bins.size();
   std::vector<double>& sizes = groups.sizes;
   sizes.assign(count, 0);
   groups.centroids.assign(count, Eigen::Vector3d::Zero());
@@ -85,12 +88,10 @@ void measure(GeodesicGroups& groups, const Eigen::Matrix3Xf& points, std::size_t
     groups.radii[g] += d.norm() / sizes[g];
     scatters[g] += d * d.transpose() / sizes[g];
   }
-  groups.axes.reserve(count);
+  groups.axes.clear();
   for (const Eigen::Matrix3d& scatter : scatters)
     groups.axes.push_back(axisOf(scatter));
 }
-
-} // namespace
 
 GeodesicGroups geodesicGroups(const NeighborhoodGraph& graph, const Eigen::Matrix3Xf& points,
                               Eigen::Index root, double binWidth, const Progress& progress) {
@@ -102,7 +103,7 @@ GeodesicGroups geodesicGroups(const NeighborhoodGraph& graph, const Eigen::Matri
   group(groups, graph, binsOf(paths, binWidth));
   groups.distances = std::move(paths.distance);
   groups.root = groups.ofPoint[static_cast<std::size_t>(root)];
-  measure(groups, points, groups.bins.size());
+  measure(groups, points);
   return groups;
 }
 

@@ -27,6 +27,10 @@ struct GeodesicGroups {
   std::uint32_t root = 0;
 };
 
+/// Sizes, centroids, radii and axes of groups, from their points.
+/// @param points  3 x N [L], those that were grouped
+void measure(GeodesicGroups& groups, const Eigen::Matrix3Xf& points);
+
 /// @param graph    of the points
 /// @param points   3 x N [L]
 /// @param root     column of a point at the foot of the trunk, in [0, N)

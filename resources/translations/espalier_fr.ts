@@ -12482,6 +12482,14 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <source>Wood that touches is reported where the path from one to the other is longer than so many sums of their radii.</source>
         <translation>Du bois qui se touche est signalé là où le chemin de l’un à l’autre est plus long que ce nombre de fois la somme de leurs rayons.</translation>
     </message>
+    <message>
+        <source>Ring</source>
+        <translation>Anneau</translation>
+    </message>
+    <message>
+        <source>Two sides of wood that lie nearer to each other than this, in bin widths, and part below and meet above, are one; 0 keeps both.</source>
+        <translation>Deux côtés du bois plus proches l’un de l’autre que cela, en largeurs de classe, qui se séparent plus bas et se rejoignent plus haut, n’en font qu’un&#xa0;; 0 garde les deux.</translation>
+    </message>
 </context>
 <context>
     <name>espalier::ShownFlow</name>

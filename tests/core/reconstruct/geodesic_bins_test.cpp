@@ -85,6 +85,36 @@ TEST(GeodesicBins, FindTheForkOfAForkIfTurnsCost) {
   EXPECT_EQ(test::countTips(skeletonByGeodesicBins(points, findRoot(points), turning)), 2);
 }
 
+/// Wood that parts in two at 0.5, `apart` from each other, and meets again at 1.5.
+Eigen::Matrix3Xf partedWood(double apart) {
+  const auto wood = [](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    return test::cylinder(from, to, 0.02, 0.015);
+  };
+  Eigen::Matrix3Xf points = test::both(wood({0, 0, 0}, {0, 0, 0.5}), wood({0, 0, 1.5}, {0, 0, 2}));
+  for (const double x : {-apart / 2, apart / 2}) {
+    points = test::both(points, wood({0, 0, 0.5}, {x, 0, 0.7}));
+    points = test::both(points, wood({x, 0, 0.7}, {x, 0, 1.3}));
+    points = test::both(points, wood({x, 0, 1.3}, {0, 0, 1.5}));
+  }
+  return points;
+}
+
+TEST(GeodesicBins, MakeOneLineOfTheSidesOfARing) {
+  const Eigen::Matrix3Xf points = partedWood(0.15);
+  const Skeleton skeleton = skeletonOf(points);
+  EXPECT_EQ(test::countTips(skeleton), 1);
+  for (const NodeId id : skeleton.ids())
+    EXPECT_LT(skeleton[id].position.head<2>().norm(), 0.03);
+  GeodesicBinOptions both = binOptions;
+  both.ring = 0;
+  EXPECT_EQ(test::countTips(skeletonByGeodesicBins(points, findRoot(points), both)), 2);
+}
+
+TEST(GeodesicBins, KeepWoodThatMeetsAgainWhereItLiesFartherApart) {
+  const Eigen::Matrix3Xf points = partedWood(0.5);
+  EXPECT_EQ(test::countTips(skeletonOf(points)), 2);
+}
+
 TEST(GeodesicBins, KeepOutWhatIsFartherThanTheWidestGap) {
   const Eigen::Matrix3Xf points = test::both(test::cylinder({0, 0, 0}, {0, 0, 2}, 0.04, 0.02),
                                              test::cylinder({1, 0, 1}, {1, 0, 2}, 0.04, 0.02));

@@ -19,6 +19,8 @@ struct MissingBranch {
 };
 
 /// A branch traced along each cluster of points that have no wood, attached as it may have grown.
+/// Of its ends it has those that are probably shoots, and at least the most probable one: the
+/// points of leaves would make many.
 ///
 /// Uses all threads, deterministic. Time O(N log N), and a trace for each cluster.
 /// @throws Cancelled if `progress` asks to stop

@@ -30,6 +30,7 @@
 #include "app/window/frame/help_flow.h"
 #include "app/window/frame/language_flow.h"
 #include "app/window/frame/panel_dock.h"
+#include "app/window/frame/panel_focus.h"
 #include "app/window/frame/theme_flow.h"
 #include "app/window/frame/tour_flow.h"
 #include "app/window/main_window.h"
@@ -88,6 +89,7 @@ void MainWindow::makeParts() {
   makePreview(*pipeline);
   parts_.make<ThemeFlow>(ThemeFlow::Parts{*actions_, settings_, *this});
   parts_.make<LanguageFlow>(*actions_, settings_);
+  parts_.make<PanelFocus>(PanelFocus::Parts{*actions_, *this});
   parts_.make<TourFlow>(TourFlow::Parts{document_, *actions_, settings_, *this});
   parts_.make<HelpFlow>(HelpFlow::Parts{*actions_, settings_, *this, [this] {
                                           return document_.isEmpty()

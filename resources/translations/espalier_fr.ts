@@ -6493,6 +6493,29 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
 </context>
 <context>
+    <name>espalier::PanelFocus</name>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Go to Panel</source>
+        <translation>Aller au panneau</translation>
+    </message>
+    <message>
+        <source>Gives the keyboard to the panel that was used last, once more to the next one; Esc gives it back to the plant</source>
+        <translation>Donne le clavier au dernier panneau utilisé, encore une fois au suivant&#xa0;; Échap le rend à la plante</translation>
+    </message>
+    <message>
+        <source>{leave} back to the plant   {go_to_panel} next panel</source>
+        <translation>{leave} retour à la plante   {go_to_panel} panneau suivant</translation>
+    </message>
+    <message>
+        <source>No panel is shown that takes keys: View &gt; Panels shows one</source>
+        <translation>Aucun panneau affiché ne prend le clavier&#xa0;: Vue &gt; Panneaux en affiche un</translation>
+    </message>
+</context>
+<context>
     <name>espalier::PartForm</name>
     <message>
         <source>All points</source>

@@ -6,12 +6,15 @@
 #include "core/skeleton/edits.h"
 #include "core/skeleton/select.h"
 #include "tests/app/window/window_fixture.h"
+#include "tests/support/plants.h"
 #include "tests/support/shared_data.h"
+#include "ui/panels/status_line.h"
 #include "ui/panels/suspects_panel.h"
 
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
+#include <QDockWidget>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -121,6 +124,7 @@ protected:
   /// Lists one kind of findings alone, and goes to the one at this node by F4.
   void goTo(const QString& kind, NodeId node) {
     ASSERT_TRUE(waitForAll());
+    press(Qt::Key_Escape, Qt::ShiftModifier);
     tabBackTo("findings_kind");
     auto& kinds = find<QComboBox>("findings_kind");
     press(Qt::Key_Return); // opens it: what is typed chooses in it
@@ -325,6 +329,52 @@ TEST_F(ByKeysTest, LeadFromAScanToTheCertificate) {
       },
       patience));
   endPart("certificate");
+}
+
+TEST_F(ByKeysTest, OneKeyLeadsFromThePlantToTheListOfFindings) {
+  open({writeFork("fork.mtg")});
+  document().edit("Two successors", [](SkeletonEditor& editor) {
+    for (const NodeId id : editor.skeleton().children(test::forkTop))
+      editor.setEdge(id, EdgeType::successor);
+  });
+  press(Qt::Key_F8);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return found().isAllChecked(); }, patience));
+  ASSERT_FALSE(panel().suspects().empty());
+  ASSERT_EQ(keyboard(), &view());
+  pressed_ = 0;
+  press(Qt::Key_Escape, Qt::ShiftModifier);
+  EXPECT_EQ(keyboard()->objectName(), "findings_list");
+  EXPECT_EQ(pressed_, 1);
+  press(Qt::Key_Return); // goes to the finding
+  press(Qt::Key_Escape);
+  EXPECT_EQ(keyboard(), &view());
+}
+
+TEST_F(ByKeysTest, TheKeyForPanelsGoesThroughThoseInFront) {
+  open({writeFork("fork.mtg")});
+  press(Qt::Key_F8);
+  press(Qt::Key_F11); // the table of nodes, below the plant
+  const auto panelAt = [this] {
+    press(Qt::Key_Escape, Qt::ShiftModifier);
+    QWidget* at = keyboard();
+    while (at != nullptr && qobject_cast<QDockWidget*>(at) == nullptr)
+      at = at->parentWidget();
+    return at == nullptr ? QString() : at->objectName();
+  };
+  EXPECT_EQ(panelAt(), "node_table") << "the one shown last";
+  EXPECT_EQ(panelAt(), "findings") << "the inspector lies behind it";
+  EXPECT_EQ(panelAt(), "pipeline");
+  EXPECT_NE(qobject_cast<QComboBox*>(keyboard()), nullptr) << "the unit is its topmost field";
+  const auto hint = [this] { return window().statusLine().shownText(); };
+  EXPECT_TRUE(hint().contains("Esc back to the plant   Shift+Esc next panel"))
+      << hint().toStdString();
+  press(Qt::Key_Tab);
+  const QWidget* const field = keyboard();
+  press(Qt::Key_Escape);
+  EXPECT_FALSE(hint().contains("back to the plant")) << hint().toStdString();
+  EXPECT_EQ(panelAt(), "pipeline") << "the one that had the keyboard last";
+  EXPECT_EQ(keyboard(), field) << "where it was";
+  EXPECT_EQ(panelAt(), "node_table");
 }
 
 // Enter means something else in most fields.

@@ -89,7 +89,10 @@ void MainWindow::makeParts() {
   makePreview(*pipeline);
   parts_.make<ThemeFlow>(ThemeFlow::Parts{*actions_, settings_, *this});
   parts_.make<LanguageFlow>(*actions_, settings_);
-  parts_.make<PanelFocus>(PanelFocus::Parts{*actions_, *this});
+  parts_.make<PanelFocus>(PanelFocus::Parts{*actions_, *this, [this] {
+                                              PlantView& view = parts_.get<Editing>().activeView();
+                                              if (view.isVisible()) view.setFocus();
+                                            }});
   parts_.make<TourFlow>(TourFlow::Parts{document_, *actions_, settings_, *this});
   parts_.make<HelpFlow>(HelpFlow::Parts{*actions_, settings_, *this, [this] {
                                           return document_.isEmpty()

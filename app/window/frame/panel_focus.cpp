@@ -84,7 +84,10 @@ PanelFocus::PanelFocus(const Parts& parts) : parts_(parts) {
 void PanelFocus::follow(QDockWidget& dock) {
   used_.push_back(&dock);
   connect(&dock, &QDockWidget::visibilityChanged, this, [this, &dock](bool isShown) {
-    if (isShown) noteUsed(dock);
+    if (isShown) return noteUsed(dock);
+    const QWidget* at = QApplication::focusWidget();
+    const bool isThere = parts_.window.isVisible() && !parts_.window.isMinimized();
+    if (isThere && at != nullptr && dock.isAncestorOf(at)) parts_.toPlant();
   });
 }
 

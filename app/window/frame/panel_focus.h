@@ -4,6 +4,7 @@
 
 #include <QPointer>
 
+#include <functional>
 #include <vector>
 
 class QDockWidget;
@@ -14,8 +15,8 @@ namespace espalier {
 
 class ActionSet;
 
-/// Leads the keyboard from the plant to the panels: a key gives it to the panel that was used last,
-/// and on to the next.
+/// Leads the keyboard between the plant and the panels: a key gives it to the panel that was used
+/// last, and on to the next; a panel that goes gives it back to the plant.
 class PanelFocus : public WindowPart {
   Q_OBJECT
 
@@ -24,6 +25,7 @@ public:
   struct Parts {
     ActionSet& actions;
     QMainWindow& window; // with all its docks
+    std::function<void()> toPlant;
   };
   explicit PanelFocus(const Parts& parts);
 

@@ -377,6 +377,21 @@ TEST_F(ByKeysTest, TheKeyForPanelsGoesThroughThoseInFront) {
   EXPECT_EQ(panelAt(), "node_table");
 }
 
+// One that lies over it, one that goes.
+TEST_F(ByKeysTest, APanelThatGoesGivesTheKeyboardToThePlant) {
+  open({writeFork("fork.mtg")});
+  press(Qt::Key_F8);
+  press(Qt::Key_Escape, Qt::ShiftModifier);
+  ASSERT_NE(QApplication::focusWidget(), &view());
+  press(Qt::Key_F9);
+  QApplication::processEvents();
+  EXPECT_EQ(QApplication::focusWidget(), &view());
+  press(Qt::Key_Escape, Qt::ShiftModifier);
+  ASSERT_TRUE(find<QWidget>("review_page").isAncestorOf(QApplication::focusWidget()));
+  press(Qt::Key_F9);
+  EXPECT_EQ(QApplication::focusWidget(), &view());
+}
+
 // Enter means something else in most fields.
 TEST_F(ByKeysTest, EscapeGivesTheKeyboardBackToTheView) {
   open({writeFork("fork.mtg")});

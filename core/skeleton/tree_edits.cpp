@@ -37,6 +37,20 @@ std::vector<NodeId> tops(const Skeleton& skeleton, const std::vector<NodeId>& no
   return result;
 }
 
+/// pre: `others` is not empty
+NodeId nearestOf(const Skeleton& skeleton, const std::vector<NodeId>& others, NodeId id) {
+  NodeId nearest = others.front();
+  double least = std::numeric_limits<double>::infinity();
+  for (const NodeId other : others) {
+    const double distance = (skeleton[other].position - skeleton[id].position).squaredNorm();
+    if (distance < least) {
+      least = distance;
+      nearest = other;
+    }
+  }
+  return nearest;
+}
+
 void requireNeighbors(const Skeleton& skeleton, const std::vector<NodeId>& tops) {
   for (const NodeId id : tops) {
     const std::optional<NodeId>& parent = skeleton[id].parent;
@@ -70,6 +84,15 @@ void cutOff(SkeletonEditor& editor, NodeId id) {
   attachInItsUnits(editor, id, std::nullopt);
 }
 
+std::optional<NodeId> nearestNewParent(const Skeleton& skeleton, const std::vector<NodeId>& nodes) {
+  std::vector<NodeId> outside = inverted(skeleton, downstream(skeleton, nodes));
+  std::erase_if(outside, [&](NodeId other) {
+    return std::ranges::any_of(nodes, [&](NodeId id) { return skeleton[id].parent == other; });
+  });
+  if (outside.empty()) return std::nullopt;
+  return nearestOf(skeleton, outside, nodes.front());
+}
+
 void joinTree(SkeletonEditor& editor, NodeId id, NodeId onto) {
   const Skeleton& skeleton = editor.skeleton();
   if (rootOf(skeleton, id) == rootOf(skeleton, onto))
@@ -86,16 +109,7 @@ NodeId nearestInOtherTree(const Skeleton& skeleton, NodeId id) {
   if (others.empty())
     throw ShownError({Shown::tr("the plant is one tree: there is nothing to join node %1 to"),
                       {std::to_string(indexOf(id))}});
-  NodeId nearest = others.front();
-  double least = std::numeric_limits<double>::infinity();
-  for (const NodeId other : others) {
-    const double distance = (skeleton[other].position - skeleton[id].position).squaredNorm();
-    if (distance < least) {
-      least = distance;
-      nearest = other;
-    }
-  }
-  return nearest;
+  return nearestOf(skeleton, others, id);
 }
 
 void reroot(SkeletonEditor& editor, NodeId id) {

@@ -26,6 +26,12 @@ void cutOff(SkeletonEditor& editor, NodeId id);
 /// @throws Error if both belong to one tree
 void joinTree(SkeletonEditor& editor, NodeId id, NodeId onto);
 
+/// The node nearest to the first of `nodes` to which all of them could be attached anew: none of
+/// them carries it or is attached to it. None: there is none. Time O(nodes). pre: `nodes` is not
+/// empty
+[[nodiscard]] std::optional<NodeId> nearestNewParent(const Skeleton& skeleton,
+                                                     const std::vector<NodeId>& nodes);
+
 /// The node of another tree that is nearest to `id`. Time O(nodes).
 /// @throws Error if there is no other tree
 [[nodiscard]] NodeId nearestInOtherTree(const Skeleton& skeleton, NodeId id);

@@ -7871,6 +7871,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <source>Reparent %1 to the edge of %2</source>
         <translation>Rattacher %1 à l’arête de %2</translation>
     </message>
+    <message>
+        <source>Enter: attach %1 to %2   Arrow keys: to another   Click the new parent   Esc: leave it</source>
+        <translation>Entrée&#xa0;: rattacher %1 à %2   Flèches&#xa0;: à un autre   Cliquer le nouveau parent   Échap&#xa0;: laisser</translation>
+    </message>
 </context>
 <context>
     <name>espalier::ReportFlow</name>

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/skeleton/edits.h"
+#include "core/skeleton/tree_edits.h"
 #include "ui/document/length_unit.h"
 #include "ui/tools/node_edits.h"
 #include "ui/tools/screen_plane.h"
@@ -11,19 +12,31 @@
 
 namespace espalier {
 
+ReparentNodeTool::ReparentNodeTool(PlantDocument& document, Canvas& canvas, QObject* parent)
+    : Tool(document, canvas, parent) {
+  connect(&document.selection(), &Selection::changed, this, &ReparentNodeTool::followSelection);
+}
+
 QString ReparentNodeTool::hint() const {
   if (moving_.empty()) return tr("Drag a node onto its new parent, or click one after the other");
   const QString names = nodeNames(moving_);
-  if (isDragging_ && under().node && !isMoving(under()))
-    return tr("Release: attach %1 to %2   Esc: put it back").arg(names, nodeName(*under().node));
-  if (isDragging_ && under().edge && !isMoving(under()))
+  const std::optional<Pick> to = aim();
+  if (isDragging_ && to && to->node)
+    return tr("Release: attach %1 to %2   Esc: put it back").arg(names, nodeName(*to->node));
+  if (isDragging_ && to)
     return tr("Release: attach %1 here on the edge   Esc: put it back").arg(names);
   if (isDragging_) return tr("Drop %1 on its new parent   Esc: put it back").arg(names);
-  if (under().node && !isMoving(under()))
-    return tr("Click: attach %1 to %2   Esc: leave it").arg(names, nodeName(*under().node));
-  if (under().edge && !isMoving(under()))
-    return tr("Click: attach %1 here on the edge   Esc: leave it").arg(names);
-  return tr("Click the new parent of %1   Drag: turn   Esc: leave it").arg(names);
+  if (!to) return tr("Click the new parent of %1   Drag: turn   Esc: leave it").arg(names);
+  if (isByKeys_ || !isTarget(under()))
+    return tr("Enter: attach %1 to %2   Arrow keys: to another   Click the new parent   "
+              "Esc: leave it")
+        .arg(names, nodeName(*to->node));
+  if (to->node) return tr("Click: attach %1 to %2   Esc: leave it").arg(names, nodeName(*to->node));
+  return tr("Click: attach %1 here on the edge   Esc: leave it").arg(names);
+}
+
+void ReparentNodeTool::accept() {
+  attachTo(*aim());
 }
 
 void ReparentNodeTool::cancel() {
@@ -36,7 +49,9 @@ void ReparentNodeTool::startWith(const std::vector<NodeId>& nodes) {
 }
 
 bool ReparentNodeTool::act(const ToolInput& input) {
-  std::erase_if(moving_, [&](NodeId id) { return !document().skeleton().contains(id); }); // undone
+  dropGone();
+  if (input.phase != ToolInput::Phase::hover || input.screen != pointer_) isByKeys_ = false;
+  pointer_ = input.screen;
   switch (input.phase) {
   case ToolInput::Phase::press:
     return press(input);
@@ -59,8 +74,7 @@ bool ReparentNodeTool::press(const ToolInput& input) {
   pressed_.reset();
   isDragging_ = false;
   if (input.button != Qt::LeftButton || input.modifiers.testFlag(Qt::ControlModifier)) return false;
-  const bool isTarget = !moving_.empty() && !isMoving(input.pick);
-  if (isTarget && (input.pick.node || input.pick.edge)) {
+  if (!moving_.empty() && isTarget(input.pick)) {
     attachTo(input.pick);
     return true;
   }
@@ -74,18 +88,51 @@ bool ReparentNodeTool::release(const ToolInput& input) {
   if (!pressed_) return false;
   pressed_.reset();
   if (!std::exchange(isDragging_, false)) return true; // a click: the next one is on the parent
-  if (isMoving(input.pick) || (!input.pick.node && !input.pick.edge))
-    end(); // dropped on nothing
-  else
+  if (isTarget(input.pick))
     attachTo(input.pick);
+  else
+    end(); // dropped on nothing
   return true;
 }
 
 void ReparentNodeTool::take(const std::vector<NodeId>& nodes) {
   moving_ = nodes;
+  nearest_ = nearestNewParent(document().skeleton(), nodes);
   document().selection().set(nodes);
-  canvas().showPreview({.lines = {}, .nodes = {}, .label = {}, .subjects = subjects()});
+  followSelection(); // also if they were selected
+}
+
+/// Steps along the plant select: where they lead is what they mean.
+void ReparentNodeTool::followSelection() {
+  dropGone();
+  if (moving_.empty() || isDragging_) return;
+  isByKeys_ = true;
+  show(placeOf(aim()));
   emit hintChanged();
+}
+
+void ReparentNodeTool::dropGone() {
+  std::erase_if(moving_, [this](NodeId id) { return !document().skeleton().contains(id); });
+}
+
+std::optional<Pick> ReparentNodeTool::aim() const {
+  if (moving_.empty()) return std::nullopt;
+  if (!isByKeys_ && isTarget(under())) return under();
+  if (isDragging_) return std::nullopt;
+  const std::vector<NodeId>& selected = document().selection().nodes();
+  const bool isStepped = selected.size() == 1 && !isMoving({.node = selected.front()});
+  const std::optional<NodeId> to = isStepped             ? std::optional(selected.front())
+                                   : selected == moving_ ? nearest_
+                                                         : std::nullopt;
+  const Pick pick{.node = to};
+  return isTarget(pick) ? std::optional(pick) : std::nullopt;
+}
+
+bool ReparentNodeTool::isTarget(const Pick& pick) const {
+  const std::optional<NodeId> at = pick.edge        ? std::optional(pick.edge->child)
+                                   : isMoving(pick) ? std::nullopt
+                                                    : pick.node;
+  return at && document().skeleton().contains(*at);
 }
 
 void ReparentNodeTool::attachTo(const Pick& target) {
@@ -118,31 +165,39 @@ std::vector<Eigen::Vector3d> ReparentNodeTool::subjects() const {
   return places;
 }
 
+std::optional<Eigen::Vector3d> ReparentNodeTool::placeOf(const std::optional<Pick>& pick) const {
+  if (!pick) return std::nullopt;
+  return pick->node ? document().skeleton()[*pick->node].position : pick->edge->position;
+}
+
 void ReparentNodeTool::preview(const ToolInput& input) {
+  const std::optional<Pick> to = aim();
+  if (to || !isDragging_ || moving_.empty()) return show(placeOf(to));
+  const Eigen::Vector3d& from = document().skeleton()[moving_.front()].position;
+  show(meet(screenPlane(from, input), input));
+}
+
+/// The edges that would be made to this place, with the length of the longest.
+void ReparentNodeTool::show(const std::optional<Eigen::Vector3d>& end) {
   Preview shown{.lines = {}, .nodes = {}, .label = {}, .subjects = subjects()};
-  double longest = 0; // edge that it would make [L]
-  for (const NodeId id : moving_) {
-    const Eigen::Vector3d from = document().skeleton()[id].position;
-    std::optional<Eigen::Vector3d> to;
-    if (input.pick.node)
-      to = document().skeleton()[*input.pick.node].position;
-    else if (input.pick.edge)
-      to = input.pick.edge->position;
-    else if (isDragging_)
-      to = meet(screenPlane(from, input), input);
-    if (!to || isMoving(input.pick)) continue;
-    shown.lines.push_back({from, *to}); // the length is written where the pointer is
-    longest = std::max(longest, (*to - from).norm());
+  double longest = 0; // [L]
+  for (const Eigen::Vector3d& from : shown.subjects) {
+    if (!end) break;
+    shown.lines.push_back({from, *end}); // the length is written at its end
+    longest = std::max(longest, (*end - from).norm());
   }
   if (!shown.lines.empty()) shown.label = formatLength(longest, document().unit());
   canvas().showPreview(shown);
 }
 
 void ReparentNodeTool::end() {
-  moving_.clear();
+  std::vector<NodeId> moved = std::exchange(moving_, {});
   pressed_.reset();
   isDragging_ = false;
+  isByKeys_ = false;
   canvas().showPreview({});
+  std::erase_if(moved, [this](NodeId id) { return !document().skeleton().contains(id); });
+  if (!moved.empty()) document().selection().set(moved); // not what keys have stepped to
   if (std::exchange(endsWhenDone_, false)) emit finished();
 }
 

@@ -270,8 +270,8 @@ TEST_F(ByKeysTest, LeadFromAScanToTheCertificate) {
   endPart("sharp turn");
 
   goTo("Edges off the scan", at.astray);
-  press(Qt::Key_X);
-  press(Qt::Key_J);
+  press(Qt::Key_P);
+  press(Qt::Key_Return); // the nearest wood
   EXPECT_EQ(document().skeleton()[at.astray].parent, right[at.astray].parent);
   EXPECT_EQ(document().skeleton()[at.astray].edge, EdgeType::branching);
   endPart("edges off the scan");
@@ -390,6 +390,21 @@ TEST_F(ByKeysTest, APanelThatGoesGivesTheKeyboardToThePlant) {
   ASSERT_TRUE(find<QWidget>("review_page").isAncestorOf(QApplication::focusWidget()));
   press(Qt::Key_F9);
   EXPECT_EQ(QApplication::focusWidget(), &view());
+}
+
+TEST_F(ByKeysTest, ABranchIsAttachedToTheNodeThatArrowKeysLeadTo) {
+  open({writeFork("fork.mtg")});
+  const NodeId branch = document().skeleton().children(test::forkTop).back();
+  document().selection().set({branch});
+  press(Qt::Key_P);
+  press(Qt::Key_Down); // what bears it
+  press(Qt::Key_Down); // and what bears that
+  const NodeId root = document().skeleton().roots().front();
+  ASSERT_EQ(document().selection().nodes(), std::vector{root});
+  EXPECT_EQ(document().skeleton()[branch].parent, test::forkTop) << "before Enter";
+  press(Qt::Key_Return);
+  EXPECT_EQ(document().skeleton()[branch].parent, root);
+  EXPECT_EQ(document().selection().nodes(), std::vector{branch});
 }
 
 // Enter means something else in most fields.

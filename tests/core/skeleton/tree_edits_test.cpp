@@ -270,5 +270,14 @@ TEST(MergeNodes, LetsTheUnitOfAMergedNodeStartAboveIt) {
   EXPECT_EQ(plant[NodeId{3}].entities, (std::vector{unit(2), own}));
 }
 
+TEST(NearestNewParent, IsNeitherCarriedNorTheOneBefore) {
+  Skeleton plant = test::stick(4); // upward along one line
+  const NodeId aside = plant.add({.position = {3, 0, 0}, .parent = NodeId{0}});
+  EXPECT_EQ(nearestNewParent(plant, {NodeId{2}}), NodeId{0}) << "1 bears it, it carries 3";
+  EXPECT_EQ(nearestNewParent(plant, {NodeId{1}}), aside);
+  EXPECT_EQ(nearestNewParent(plant, {NodeId{0}}), std::nullopt) << "it carries all";
+  EXPECT_EQ(nearestNewParent(plant, {aside, NodeId{3}}), NodeId{1}) << "of those for both";
+}
+
 } // namespace
 } // namespace espalier

@@ -42,7 +42,6 @@ TEST_F(ReparentNodeToolTest, ShowsWhereItsNodesAreAndHowLongTheEdgeWouldBe) {
   tool.startWith({NodeId{3}});
   ASSERT_EQ(canvas.preview.subjects.size(), 1U);
   EXPECT_EQ(canvas.preview.subjects[0], plant[NodeId{3}].position);
-  EXPECT_EQ(canvas.preview.label, "");
   mouse.hover(onNode(NodeId{4}), {1, 2});
   const double length = (plant[NodeId{3}].position - plant[NodeId{4}].position).norm();
   EXPECT_EQ(canvas.preview.label, formatLength(length, LengthUnit::meter));
@@ -146,6 +145,64 @@ TEST_F(ReparentNodeToolTest, RefusesAnEdgeThatTheBranchCarries) {
   tool.startWith({test::forkTop});
   EXPECT_THROW(mouse.press(test::onEdge(document.skeleton(), NodeId{3}, 0.5), {0, 2}), Error);
   EXPECT_EQ(document.skeleton(), test::fork(3));
+}
+
+TEST_F(ReparentNodeToolTest, EnterAttachesToTheNearestThatMayBearIt) {
+  const QSignalSpy finished(&tool, &Tool::finished);
+  document.edit("Move", [](SkeletonEditor& editor) { // nearer to each other than to the root
+    editor.setPosition(NodeId{2}, {0.2, 0, 2});
+    editor.setPosition(NodeId{3}, {0.1, 0, 2});
+  });
+  const Skeleton before = document.skeleton();
+  EXPECT_FALSE(tool.hasPreview());
+  tool.startWith({NodeId{3}});
+  ASSERT_TRUE(tool.hasPreview());
+  ASSERT_EQ(canvas.preview.lines.size(), 1U);
+  EXPECT_EQ(canvas.preview.lines[0].back(), before[NodeId{2}].position);
+  EXPECT_THAT(tool.hint().toStdString(), testing::StartsWith("Enter: attach node 3 to node 2 "));
+  tool.accept();
+  EXPECT_EQ(document.skeleton()[NodeId{3}].parent, NodeId{2});
+  EXPECT_EQ(finished.size(), 1);
+  document.undoStack().undo();
+  EXPECT_EQ(document.skeleton(), before);
+}
+
+TEST_F(ReparentNodeToolTest, EnterAttachesToTheNodeThatKeysHaveSteppedTo) {
+  mouse.hover(onNode(NodeId{2}), {1, 2});
+  tool.startWith({NodeId{3}});
+  document.selection().set({test::forkRoot}); // as arrow keys do
+  EXPECT_THAT(tool.hint().toStdString(), testing::StartsWith("Enter: attach node 3 to node 0 "));
+  EXPECT_EQ(canvas.preview.lines.at(0).back(), document.skeleton()[test::forkRoot].position);
+  mouse.hover(onNode(NodeId{2}), {1, 2}); // the camera has moved, and the pointer has not
+  EXPECT_EQ(canvas.preview.lines.at(0).back(), document.skeleton()[test::forkRoot].position);
+  tool.accept();
+  EXPECT_EQ(document.skeleton()[NodeId{3}].parent, test::forkRoot);
+  EXPECT_EQ(document.selection().nodes(), std::vector{NodeId{3}}) << "what was attached";
+}
+
+TEST_F(ReparentNodeToolTest, ThePointerLeadsOnceItMovesOntoANode) {
+  tool.startWith({NodeId{3}});
+  document.selection().set({test::forkRoot});
+  mouse.hover(onNode(NodeId{4}), {0, 2});
+  EXPECT_THAT(tool.hint().toStdString(), testing::StartsWith("Click: attach node 3 to node 4 "));
+  tool.accept();
+  EXPECT_EQ(document.skeleton()[NodeId{3}].parent, NodeId{4}) << "what was shown";
+}
+
+TEST_F(ReparentNodeToolTest, EnterIsRefusedOnWhatTheBranchCarriesAndLetsOneStepOn) {
+  tool.startWith({test::forkTop});
+  EXPECT_FALSE(tool.hasPreview()) << "nothing but its parent is left";
+  document.selection().set({NodeId{2}});
+  EXPECT_THROW(tool.accept(), Error);
+  EXPECT_TRUE(tool.isBusy());
+  EXPECT_EQ(document.skeleton(), test::fork(3));
+}
+
+TEST_F(ReparentNodeToolTest, EscapeSelectsWhatWasToBeAttached) {
+  tool.startWith({NodeId{3}});
+  document.selection().set({test::forkRoot});
+  mouse.escape();
+  EXPECT_EQ(document.selection().nodes(), std::vector{NodeId{3}});
 }
 
 TEST_F(ReparentNodeToolTest, ForgetsANodeThatIsGone) {

@@ -2519,6 +2519,10 @@
         <source>%1 in %2</source>
         <translation>%1 dans %2</translation>
     </message>
+    <message>
+        <source>what was decided, no edits</source>
+        <translation>ce qui a été décidé, aucune modification</translation>
+    </message>
 </context>
 <context>
     <name>SightKey</name>

@@ -1,6 +1,7 @@
 #include "app/window/files/project_flow.h"
 
 #include "app/window/files/file_filters.h"
+#include "app/window/files/kept_work.h"
 #include "app/window/files/load_files.h"
 #include "app/window/files/recent_files.h"
 #include "core/base/error.h"
@@ -29,6 +30,12 @@ QString pathOf(const Project& project) {
 QString nameOf(const PlantDocument& document) {
   const QString path = document.filePath().isEmpty() ? document.scanPath() : document.filePath();
   return path.isEmpty() ? ProjectFlow::tr("a plant") : QFileInfo(path).completeBaseName();
+}
+
+bool hasWork(const std::vector<Kept>& beside) {
+  return std::ranges::any_of(beside, [](const Kept& kept) {
+    return std::ranges::find(keptWork, kept.name) != keptWork.end() && !kept.text().empty();
+  });
 }
 
 } // namespace
@@ -179,6 +186,7 @@ void ProjectFlow::compact() {
 }
 
 bool ProjectFlow::holdsMoreThanItsFile() const {
+  if (hasWork(beside_)) return true;
   const QString& path = parts_.document.filePath();
   if (path.isEmpty() || parts_.document.undoStack().count() == 0) return false;
   try {
@@ -190,6 +198,7 @@ bool ProjectFlow::holdsMoreThanItsFile() const {
 }
 
 void ProjectFlow::leave() {
+  if (hasWork(beside_)) prepareSession();
   release(parts_.document.isModified() ? keepsWork() : holdsMoreThanItsFile());
   parts_.document.setSaving(PlantDocument::Saving::byHand);
   parts_.document.setReadOnly({});
@@ -210,7 +219,10 @@ void ProjectFlow::keep(const WindowPart& part) {
     beside_.push_back(kept);
     recorder_.keep(kept.name, kept.text);
   }
-  connect(&part, &WindowPart::keptChanged, this, [this] { recorder_.noteChange(); });
+  connect(&part, &WindowPart::keptChanged, this, [this] {
+    if (recorder_.project() == nullptr) prepare_.start();
+    recorder_.noteChange();
+  });
 }
 
 void ProjectFlow::setScanReference(const std::optional<ScanReference>& scan) {
@@ -343,6 +355,10 @@ void ProjectFlow::prepareSession() {
   if (isLoading_ || hasFailed_ || recorder_.project() != nullptr || parts_.document.isEmpty() ||
       parts_.document.isReadOnly() || parts_.document.undoStack().count() > 0)
     return;
+  if (hasWork(beside_)) {
+    hasFailed_ = !guarded([this] { makeSession(); });
+    return;
+  }
   try {
     makeSession();
   } catch (const Error&) { // who only looks need not know; the first edit reports it

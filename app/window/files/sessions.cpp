@@ -1,5 +1,6 @@
 #include "app/window/files/sessions.h"
 
+#include "app/window/files/kept_work.h"
 #include "app/window/files/load_files.h"
 #include "core/base/error.h"
 #include "core/project/project.h"
@@ -33,7 +34,7 @@ std::optional<Session> sessionIn(const QString& path) {
     const Project project = Project::open(toPath(path), Access::readOnly);
     const Imported<History> read = project.history();
     const History& history = read.value;
-    if (history.steps.empty()) {
+    if (history.steps.empty() && !hasKeptWork(project)) {
       if (read.notes.empty()) removeUnused(path);
       return std::nullopt;
     }
@@ -43,7 +44,9 @@ std::optional<Session> sessionIn(const QString& path) {
                    .scan = scan ? QString::fromStdString(scan->path.string()) : QString(),
                    .file = QString::fromStdString(project.document("file")),
                    .edits = static_cast<int>(history.steps.size()),
-                   .last = QDateTime::fromMSecsSinceEpoch(history.steps.back().time)};
+                   .last = history.steps.empty()
+                               ? QFileInfo(path).lastModified()
+                               : QDateTime::fromMSecsSinceEpoch(history.steps.back().time)};
   } catch (const Error&) { // no session, or none any more: a start must not fail on it
     return std::nullopt;
   }
@@ -97,8 +100,9 @@ void Sessions::remove(const QString& path) {
 }
 
 QString describe(const Session& session, const QDateTime& now) {
-  const QString edits = session.edits == 1 ? SessionText::tr("1 edit")
-                                           : SessionText::tr("%1 edits").arg(session.edits);
+  const QString edits = session.edits == 0   ? SessionText::tr("what was decided, no edits")
+                        : session.edits == 1 ? SessionText::tr("1 edit")
+                                             : SessionText::tr("%1 edits").arg(session.edits);
   const QString source = session.file.isEmpty() ? session.scan : session.file;
   const QString folder = QFileInfo(source).dir().dirName(); // many scans have the same name
   const QString plant = source.isEmpty() || folder.isEmpty()

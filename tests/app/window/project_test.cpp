@@ -1,8 +1,10 @@
 #include "app/window/files/sessions.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/review/findings_flow.h"
 #include "core/base/error.h"
 #include "tests/app/window/project_fixture.h"
 
+#include <QComboBox>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -153,6 +155,57 @@ TEST_F(ProjectWindowTest, KeepsAReviewThatTheFileCannotHold) {
   clickButton("banner_action");
   waitForJob();
   EXPECT_EQ(document().skeleton()[forkTop].review.comment, "a spur?");
+}
+
+// Of a plant that nobody has edited, too.
+TEST_F(ProjectWindowTest, KeepsWhatIsIgnoredOfAPlantInNoProject) {
+  const QString file = writeFork("fork.mtg");
+  open({file});
+  document().edit("Thicker", [](SkeletonEditor& editor) {
+    editor.setRadius(editor.skeleton().children(forkTop).front(), 0.9);
+  });
+  key(Qt::Key_S, Qt::ControlModifier);
+  restart();
+  EXPECT_TRUE(sessionFiles().isEmpty());
+  open({file});
+  ASSERT_EQ(document().undoStack().count(), 0);
+  const auto ignored = [this] { return window().part<FindingsFlow>().ignored().size(); };
+  key(Qt::Key_F8);
+  key(Qt::Key_F4);
+  key(Qt::Key_F4, Qt::ControlModifier);
+  ASSERT_EQ(ignored(), 1U);
+  EXPECT_TRUE(window().close()) << "without a question: nothing is lost";
+  EXPECT_EQ(sessionFiles().size(), 1);
+  restart();
+  open({file});
+  EXPECT_EQ(ignored(), 0U);
+  EXPECT_TRUE(message().startsWith("Work on this plant was kept: fork")) << message().toStdString();
+  clickButton("banner_action");
+  waitForJob();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return ignored() == 1U; }, 60'000));
+  window().close();
+  EXPECT_EQ(sessionFiles().size(), 1) << "it is still to be kept";
+}
+
+TEST_F(ProjectWindowTest, LeavesNoSessionBehindOfWhatIsIgnoredNoMore) {
+  const QString file = writeFork("fork.mtg");
+  open({file});
+  document().edit("Thicker", [](SkeletonEditor& editor) {
+    editor.setRadius(editor.skeleton().children(forkTop).front(), 0.9);
+  });
+  key(Qt::Key_S, Qt::ControlModifier);
+  key(Qt::Key_F8);
+  key(Qt::Key_F4);
+  key(Qt::Key_F4, Qt::ControlModifier);
+  ASSERT_EQ(window().part<FindingsFlow>().ignored().size(), 1U);
+  auto& kinds = find<QComboBox>("findings_kind");
+  kinds.setCurrentIndex(kinds.findText("Ignored", Qt::MatchStartsWith));
+  emit kinds.activated(kinds.currentIndex());
+  key(Qt::Key_F4);
+  key(Qt::Key_F4, Qt::ControlModifier);
+  ASSERT_EQ(window().part<FindingsFlow>().ignored().size(), 0U);
+  EXPECT_TRUE(window().close());
+  EXPECT_TRUE(sessionFiles().isEmpty());
 }
 
 TEST_F(ProjectWindowTest, LeavesNoSessionBehindWhenEditsAreDiscarded) {

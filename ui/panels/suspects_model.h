@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace espalier {
@@ -19,9 +20,13 @@ struct Suspect {
   double length = 0;      // [L] of the wood that it is about, or that is missing
   double wrong = 0;       // how probably that is an error
   double gain = 0;        // how much of the plant a look probably puts right: in [0, 1]
+  /// The finding and the doubt about the same points, each with the number of the other: among all
+  /// kinds, the doubt alone is listed.
+  std::optional<std::size_t> twin = {};
 
   [[nodiscard]] bool isDoubt() const { return sort == Sort::doubt || sort == Sort::ignoredDoubt; }
   [[nodiscard]] bool isIgnored() const { return sort > Sort::doubt; }
+  [[nodiscard]] bool isListedAsDoubt() const { return !isDoubt() && twin.has_value(); }
 };
 
 /// How one is written.

@@ -6,6 +6,7 @@
 #include "app/window/review/finding_remedy.h"
 #include "app/window/review/findings_flow.h"
 #include "core/base/error.h"
+#include "core/doubt/doubts_along.h"
 #include "core/doubt/finding_gain.h"
 #include "core/skeleton/path_edits.h"
 #include "core/skeleton/select.h"
@@ -20,6 +21,7 @@
 #include <QScopedValueRollback>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -135,6 +137,8 @@ void SuspectsFlow::connectParts() {
     kind_ = allKinds;
     refresh();
   });
+  for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged})
+    connect(&document, signal, this, [this] { cloud_.reset(); });
   connect(&document, &PlantDocument::unitChanged, this, [this] { refresh(); });
   connect(dock_, &PanelDock::shown, this, [this](bool isShown) {
     parts_.doubts.setWanted(DoubtsFlow::Use::panel, isShown);
@@ -191,22 +195,53 @@ std::vector<Suspect> SuspectsFlow::suspects(bool areIgnored) const {
   const std::vector<FindingGain> gains = gainsOf(findings, parts_.document.skeleton());
   std::vector<Suspect> all;
   for (std::size_t i = 0; i < findings.size(); ++i)
-    if (isListedPlace(nodesOf(findings[i])))
+    if (isListedPlace(nodesOf(findings[i])) && (areIgnored || !isIgnoredAsDoubt(i)))
       all.push_back({areIgnored ? Sort::ignoredFinding : Sort::finding, i,
                      static_cast<int>(findings[i].kind), gains[i].length, gains[i].wrong,
-                     gains[i].gain});
+                     gains[i].gain, areIgnored ? std::nullopt : listedTwin(i)});
+  const std::size_t before = areIgnored ? parts_.doubts.doubts().size() : 0; // of their numbers
   for (std::size_t i = 0; i < doubts.size(); ++i)
     if (isListedPlace(placesOf(doubts[i])))
       all.push_back({areIgnored ? Sort::ignoredDoubt : Sort::doubt, i,
                      findingKinds + static_cast<int>(doubts[i].kind), doubts[i].length,
-                     doubts[i].wrong(), doubts[i].gain});
+                     doubts[i].wrong(), doubts[i].gain, findingAbout(before + i)});
   std::ranges::stable_sort(all, std::greater(), &Suspect::gain);
   return all;
 }
 
+/// A finding and a doubt about the same points are one place.
+void SuspectsFlow::findTwins() {
+  if (parts_.findings.arePointsOfNow()) cloud_ = parts_.distances.now()->cloud();
+  std::vector<Doubt> doubts = parts_.doubts.doubts();
+  std::ranges::copy(parts_.doubts.ignored(), std::back_inserter(doubts));
+  const std::vector<Finding>& findings = parts_.findings.findings();
+  twins_.assign(findings.size(), std::nullopt);
+  if (cloud_) twins_ = doubtsAlong(findings, doubts, *cloud_, 4 * spacing());
+}
+
+bool SuspectsFlow::isIgnoredAsDoubt(std::size_t finding) const {
+  return twins_[finding] && *twins_[finding] >= parts_.doubts.doubts().size();
+}
+
+/// The doubt that is listed for a finding.
+std::optional<std::size_t> SuspectsFlow::listedTwin(std::size_t finding) const {
+  const std::optional<std::size_t> twin = twins_[finding];
+  const bool isListed = twin && isListedPlace(placesOf(parts_.doubts.doubts()[*twin]));
+  return isListed ? twin : std::nullopt;
+}
+
+std::optional<std::size_t> SuspectsFlow::findingAbout(std::size_t doubt) const {
+  const auto at = std::ranges::find(twins_, std::optional(doubt));
+  if (at == twins_.end()) return std::nullopt;
+  return static_cast<std::size_t>(at - twins_.begin());
+}
+
 void SuspectsFlow::refresh() {
   if (!dock_->isShown()) return panel_->show({});
-  count_ = parts_.findings.findings().size() + parts_.doubts.doubts().size();
+  findTwins();
+  count_ = parts_.doubts.doubts().size() +
+           static_cast<std::size_t>(
+               std::ranges::count(twins_, false, &std::optional<std::size_t>::has_value));
   std::vector<Suspect> all = suspects(false);
   std::vector<Suspect> ignored = suspects(true);
   if (kind_ == ignoredKind && ignored.empty()) kind_ = allKinds;
@@ -214,6 +249,7 @@ void SuspectsFlow::refresh() {
     const QScopedValueRollback refreshing(isRefreshing_, true);
     showKinds(all, ignored.size());
     panel_->showPlace(static_cast<std::size_t>(listed_));
+    if (kind_ == allKinds) std::erase_if(all, std::mem_fn(&Suspect::isListedAsDoubt));
     if (kind_ == ignoredKind) all = std::move(ignored);
     if (kind_ >= 0 && kind_ != ignoredKind)
       std::erase_if(all, [this](const Suspect& one) { return one.kind != kind_; });
@@ -236,7 +272,9 @@ void SuspectsFlow::showKinds(const std::vector<Suspect>& all, std::size_t ignore
   const auto add = [&](int kind, const QString& title, std::size_t count) {
     kinds.push_back({tr("%1 (%2)").arg(title, formatCount(count)), kind});
   };
-  if (!counts.empty() || ignored > 0) add(allKinds, tr("All kinds"), all.size());
+  const auto asDoubts = std::ranges::count_if(all, std::mem_fn(&Suspect::isListedAsDoubt));
+  if (!counts.empty() || ignored > 0)
+    add(allKinds, tr("All kinds"), all.size() - static_cast<std::size_t>(asDoubts));
   for (const auto& [kind, count] : counts)
     add(kind,
         kind < findingKinds ? titleOf(static_cast<Finding::Kind>(kind))

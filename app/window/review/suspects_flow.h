@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -57,6 +58,10 @@ private:
   void connectParts();
   void refresh();
   [[nodiscard]] std::vector<Suspect> suspects(bool areIgnored) const;
+  void findTwins();
+  [[nodiscard]] bool isIgnoredAsDoubt(std::size_t finding) const;
+  [[nodiscard]] std::optional<std::size_t> listedTwin(std::size_t finding) const;
+  [[nodiscard]] std::optional<std::size_t> findingAbout(std::size_t doubt) const;
   [[nodiscard]] bool isListedPlace(const std::vector<NodeId>& nodes) const;
   [[nodiscard]] bool isListed(const Doubt& doubt) const;
   void showKinds(const std::vector<Suspect>& all, std::size_t ignored);
@@ -80,6 +85,7 @@ private:
   [[nodiscard]] double spacing() const; // between points [L]; 0: there is no scan
   [[nodiscard]] SuspectText textOf(const Suspect& suspect) const;
   [[nodiscard]] QString placeText(const Finding& finding) const;
+  [[nodiscard]] QString describedBy(const Finding& finding) const;
   [[nodiscard]] QString sentenceOf(const Finding& finding) const;
   [[nodiscard]] QString sentenceOf(const What& what) const;
   [[nodiscard]] QString titleText() const;
@@ -92,8 +98,12 @@ private:
   SuspectsPanel* panel_ = nullptr;
   PanelDock* dock_ = nullptr;
   QTimer agreementTimer_;
-  QString agreement_;           // as it was known last
-  std::size_t count_ = 0;       // of all, whatever is listed
+  QString agreement_;                       // as it was known last
+  std::size_t count_ = 0;                   // of all, whatever is listed
+  std::shared_ptr<const PointCloud> cloud_; // that points of findings are in
+  /// Of each finding, the doubt about the same points: its number, behind those that are not
+  /// ignored those that are.
+  std::vector<std::optional<std::size_t>> twins_;
   int kind_;                    // that is listed
   Listed listed_ = Listed::all; // of the plant
   std::vector<bool> isIn_;      // by id, what is listed of it; nodes that are newer are

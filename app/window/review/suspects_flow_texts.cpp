@@ -77,7 +77,9 @@ SuspectText SuspectsFlow::textOf(const Suspect& suspect) const {
     return {.title = nameOfOne(doubt.kind),
             .place = tr("%1 · %2").arg(indexOf(doubt.node)).arg(length),
             .remedy = tr("Enter"),
-            .whole = whole(sentenceOf(doubt))};
+            .whole = whole(suspect.twin ? sentenceOf(doubt) + QStringLiteral("\n") +
+                                              describedBy(parts_.findings.findings()[*suspect.twin])
+                                        : sentenceOf(doubt))};
   }
   const Finding& finding = findingOf(suspect);
   const Skeleton& skeleton = parts_.document.skeleton();
@@ -88,13 +90,18 @@ SuspectText SuspectsFlow::textOf(const Suspect& suspect) const {
           .whole = whole(sentenceOf(finding))};
 }
 
-/// What it is, its number, and the key that does something about it.
-QString SuspectsFlow::sentenceOf(const Finding& finding) const {
+QString SuspectsFlow::describedBy(const Finding& finding) const {
   const auto length = [this](double value) {
     return formatLength(value, parts_.document.unit(), 3).toStdString();
   };
   QString whole = shownText(describe(finding, parts_.document.skeleton(), length));
   whole[0] = whole[0].toUpper();
+  return whole;
+}
+
+/// What it is, its number, and the key that does something about it.
+QString SuspectsFlow::sentenceOf(const Finding& finding) const {
+  const QString whole = describedBy(finding);
   const Remedy remedy = remedyOf(finding, parts_.document.skeleton(), spacing());
   const QKeySequence key = parts_.actions[remedy.action]->shortcut();
   return tr("%1: %2 %3").arg(whole, key.toString(QKeySequence::NativeText), remedy.does);

@@ -78,6 +78,10 @@ protected:
     return static_cast<std::size_t>(std::ranges::find(rows(), isDoubt, &Suspect::isDoubt) -
                                     rows().begin());
   }
+  std::size_t findingsWithADoubt() {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        rows(), [](const Suspect& row) { return row.isDoubt() && row.twin; }));
+  }
   bool isAsked() { return action("answer_1").isEnabled(); }
   std::vector<NodeId> nodesOfRow(const Suspect& row) {
     if (!row.isDoubt()) return nodesOf(findings()[row.number]);
@@ -87,7 +91,7 @@ protected:
 };
 
 TEST_F(SuspectsTest, HasAllFindingsAndDoubtsByTheirGain) {
-  EXPECT_EQ(rows().size(), findings().size() + doubts().size());
+  EXPECT_EQ(rows().size(), findings().size() + doubts().size() - findingsWithADoubt());
   EXPECT_TRUE(std::ranges::is_sorted(rows(), std::greater(), &Suspect::gain));
   std::set<bool> sorts;
   for (const Suspect& row : rows())
@@ -103,6 +107,53 @@ TEST_F(SuspectsTest, HasAllFindingsAndDoubtsByTheirGain) {
     EXPECT_TRUE(gain[0].endsWith(" %")) << gain[0].toStdString();
     EXPECT_FALSE(gain[1].isEmpty());
   }
+}
+
+// A simulated plant, from which a branch is taken.
+TEST_F(SuspectsTest, ABareTwigThatIsInDoubtIsOneRow) {
+  const Skeleton plant = document().skeleton();
+  const auto length = [&](NodeId id) { return downstream(plant, {id}).size(); };
+  const std::vector<NodeId> ids = plant.ids();
+  const auto branch = std::ranges::find_if(ids, [&](NodeId id) {
+    return plant[id].parent && plant[id].edge == EdgeType::branching && length(id) >= 35 &&
+           length(id) <= 80;
+  });
+  ASSERT_NE(branch, ids.end());
+  document().edit("Remove", [&](SkeletonEditor& editor) { removeSubtree(editor, *branch); });
+  ASSERT_TRUE(waitForAll());
+  const auto row = std::ranges::find_if(
+      rows(), [&](const Suspect& one) { return one.isDoubt() && one.twin.has_value(); });
+  ASSERT_NE(row, rows().end());
+  const Suspect doubt = *row;
+  EXPECT_EQ(doubts()[doubt.number].kind, Doubt::Kind::missing);
+  const Finding finding = findings()[*doubt.twin];
+  EXPECT_EQ(finding.kind, Finding::Kind::unexplainedPoints);
+  const auto isListed = [&] {
+    return std::ranges::any_of(rows(), [&](const Suspect& one) {
+      return !one.isDoubt() && findings()[one.number] == finding;
+    });
+  };
+  EXPECT_FALSE(isListed()) << "beside the doubt";
+  EXPECT_EQ(rows().size(), findings().size() + doubts().size() - findingsWithADoubt());
+  EXPECT_EQ(find<QLabel>("findings_title").text(),
+            QString("%1 places may be wrong").arg(rows().size()));
+  const auto& list = find<QTreeView>("findings_list");
+  const QString tip =
+      list.model()->index(int(row - rows().begin()), 0).data(Qt::ToolTipRole).toString();
+  EXPECT_TRUE(tip.contains("Is there a branch")) << tip.toStdString();
+  EXPECT_TRUE(tip.contains("Bare twig, ")) << tip.toStdString();
+  EXPECT_TRUE(kinds().itemText(0) == QString("All kinds (%1)").arg(rows().size()))
+      << kinds().itemText(0).toStdString();
+  choose(kinds(), "Bare twigs");
+  EXPECT_TRUE(isListed()) << "with its own remedy, among its kind";
+  choose(kinds(), "All kinds");
+  go(static_cast<std::size_t>(
+      std::ranges::find_if(
+          rows(), [&](const Suspect& one) { return one.isDoubt() && one.twin == doubt.twin; }) -
+      rows().begin()));
+  key(Qt::Key_F4, Qt::ControlModifier);
+  ASSERT_TRUE(waitForAll());
+  EXPECT_FALSE(isListed()) << "it is ignored as the doubt is";
 }
 
 TEST_F(SuspectsTest, ListsOneKindAlone) {

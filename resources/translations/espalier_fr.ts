@@ -216,10 +216,6 @@
         <translation>le joint à l’arbre le plus proche</translation>
     </message>
     <message>
-        <source>makes all but the first branches</source>
-        <translation>fait de tous des ramifications, sauf du premier</translation>
-    </message>
-    <message>
         <source>lets the axis go on</source>
         <translation>laisse l’axe se poursuivre</translation>
     </message>
@@ -246,6 +242,10 @@
     <message>
         <source>grows a branch from them</source>
         <translation>en fait partir une branche</translation>
+    </message>
+    <message>
+        <source>keeps the straightest and thickest, others branch</source>
+        <translation>garde la suite la plus droite et épaisse, ramifie les autres</translation>
     </message>
 </context>
 <context>

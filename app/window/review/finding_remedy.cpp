@@ -1,8 +1,11 @@
 #include "app/window/review/finding_remedy.h"
 
+#include "core/skeleton/best_successor.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -29,10 +32,12 @@ Remedy remedyOf(const Finding& finding, const Skeleton& skeleton, double spacing
   switch (finding.kind) {
   case Kind::separatePiece:
     return {"join", RemedyText::tr("joins it to the nearest tree"), {finding.node}};
-  case Kind::twoSuccessors:
-    return {"make_branching",
-            RemedyText::tr("makes all but the first branches"),
-            {finding.others.begin() + 1, finding.others.end()}};
+  case Kind::twoSuccessors: {
+    std::vector<NodeId> branches = finding.others;
+    std::erase(branches, bestSuccessor(skeleton, finding.others));
+    return {"make_branching", RemedyText::tr("keeps the straightest and thickest, others branch"),
+            std::move(branches)};
+  }
   case Kind::loneBranch:
     return {"make_axial", RemedyText::tr("lets the axis go on"), {finding.node}};
   case Kind::noLength:

@@ -245,6 +245,24 @@ TEST_F(FindingsWindowTest, EnterInTheListGoesThereAndMarksNothing) {
   EXPECT_EQ(document().undoStack().count(), 2);
 }
 
+// Whichever the file has first.
+TEST_F(FindingsWindowTest, OfTwoSuccessorsTheKeyKeepsTheOneThatGoesOnStraight) {
+  openFork();
+  const NodeId aside = shoot(0);
+  NodeId straight{};
+  document().edit("Go on", [&](SkeletonEditor& editor) {
+    straight = editor.add({.position = {0.1, 0, 2.5}, .radius = 0.1, .parent = test::forkTop});
+    for (const NodeId id : {aside, straight})
+      editor.setEdge(id, EdgeType::successor);
+  });
+  key(Qt::Key_F4);
+  EXPECT_EQ(chosen(), std::vector{aside});
+  key(Qt::Key_M, Qt::ShiftModifier);
+  EXPECT_EQ(document().skeleton()[straight].edge, EdgeType::successor);
+  EXPECT_EQ(document().skeleton()[aside].edge, EdgeType::branching);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Two successors").isEmpty(); }));
+}
+
 TEST_F(FindingsWindowTest, IgnoredOnesLeaveTheListAndComeBackOnRequest) {
   openFork();
   setRadiusOf(shoot(0), 0.2);

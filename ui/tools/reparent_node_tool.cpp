@@ -72,12 +72,14 @@ bool ReparentNodeTool::act(const ToolInput& input) {
 
 bool ReparentNodeTool::press(const ToolInput& input) {
   pressed_.reset();
+  missed_.reset();
   isDragging_ = false;
   if (input.button != Qt::LeftButton || input.modifiers.testFlag(Qt::ControlModifier)) return false;
   if (!moving_.empty() && isTarget(input.pick)) {
     attachTo(input.pick);
     return true;
   }
+  if (!moving_.empty()) missed_ = input.screen;
   if (!input.pick.node) return false;
   if (moving_.empty()) take({*input.pick.node});
   pressed_ = input.screen;
@@ -85,6 +87,11 @@ bool ReparentNodeTool::press(const ToolInput& input) {
 }
 
 bool ReparentNodeTool::release(const ToolInput& input) {
+  const auto missed = std::exchange(missed_, std::nullopt);
+  if (missed && !isDragged(*missed, input.screen)) {
+    pressed_.reset();
+    refuseClick(input.pick);
+  }
   if (!pressed_) return false;
   pressed_.reset();
   if (!std::exchange(isDragging_, false)) return true; // a click: the next one is on the parent
@@ -152,6 +159,24 @@ void ReparentNodeTool::attachTo(const Pick& target) {
       reparentNode(editor, id, parent);
   });
   end();
+}
+
+/// A click that is on no new parent says so: else nothing would be seen to happen.
+void ReparentNodeTool::refuseClick(const Pick& pick) const {
+  if (pick.node)
+    throw Error(
+        (moving_.size() == 1
+             ? tr("%1 is what is attached: click the node or edge that it grows from")
+                   .arg(nodeName(moving_.front()))
+             : tr("%1 is one of the %2 nodes that are attached: click the node or edge that "
+                  "they grow from, or press Esc and choose fewer nodes")
+                   .arg(nodeName(*pick.node))
+                   .arg(moving_.size()))
+            .toStdString());
+  throw Error(tr("no node or edge is there to attach %1 to: what points or wood hide is not "
+                 "clicked; turn the plant, or choose Select > Select Through")
+                  .arg(nodeNames(moving_))
+                  .toStdString());
 }
 
 bool ReparentNodeTool::isMoving(const Pick& pick) const {

@@ -38,6 +38,7 @@ private:
   [[nodiscard]] std::optional<Pick> aim() const; // what they would be attached to now
   [[nodiscard]] bool isTarget(const Pick& pick) const;
   [[nodiscard]] bool isMoving(const Pick& pick) const;
+  void refuseClick(const Pick& pick) const;
   [[nodiscard]] std::vector<Eigen::Vector3d> subjects() const;
   void preview(const ToolInput& input);
   void show(const std::optional<Eigen::Vector3d>& end);
@@ -51,6 +52,7 @@ private:
   bool endsWhenDone_ = false;
   std::optional<QPointF> pressed_; // where, while the button is down on a node to be moved
   bool isDragging_ = false;
+  std::optional<QPointF> missed_; // where the button went down for a new parent, and is on none
 };
 
 } // namespace espalier

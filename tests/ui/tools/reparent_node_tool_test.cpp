@@ -71,9 +71,37 @@ TEST_F(ReparentNodeToolTest, RefusesADescendantAndLetsOneTryAgain) {
   EXPECT_TRUE(tool.isBusy());
 }
 
+/// What a click is refused with; empty: nothing.
+template <class Click> std::string refusalOf(const Click& click) {
+  try {
+    click();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST_F(ReparentNodeToolTest, SaysWhyAClickIsNotTaken) {
+  tool.startWith({NodeId{3}});
+  EXPECT_TRUE(refusalOf([&] { mouse.click({}, {5, 5}); }).starts_with("no node or edge is there"));
+  EXPECT_TRUE(refusalOf([&] {
+                mouse.click(onNode(NodeId{3}), {1, 1});
+              }).starts_with("node 3 is what is attached"));
+  EXPECT_TRUE(tool.isBusy()) << "one tries again";
+  tool.startWith({NodeId{3}, NodeId{4}});
+  EXPECT_TRUE(refusalOf([&] {
+                mouse.click(onNode(NodeId{4}), {0, 2});
+              }).starts_with("node 4 is one of the 2 nodes that are attached"));
+  EXPECT_EQ(document.skeleton(), test::fork(3));
+  mouse.click(onNode(NodeId{2}), {1, 2});
+  EXPECT_EQ(document.skeleton()[NodeId{4}].parent, NodeId{2});
+}
+
 TEST_F(ReparentNodeToolTest, LeavesEmptySpaceToTheCamera) {
   tool.startWith({NodeId{3}});
-  EXPECT_FALSE(mouse.click({}, {5, 5}));
+  EXPECT_FALSE(mouse.press({}, {5, 5}));
+  EXPECT_FALSE(mouse.drag({9, 5}));
+  EXPECT_FALSE(mouse.release());
   EXPECT_FALSE(mouse.press(onNode(NodeId{4}), {0, 2}, Qt::ControlModifier));
   EXPECT_EQ(document.skeleton(), test::fork(3));
 }

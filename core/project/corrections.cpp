@@ -1,6 +1,7 @@
 #include "core/project/corrections.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace espalier {
 namespace {
@@ -24,7 +25,32 @@ std::size_t firstCorrection(std::span<const HistoryStep> done, std::size_t size)
   return 0;
 }
 
-void count(const SkeletonDelta::Change& change, Corrections& to) {
+/// What an edit did to nodes, by id.
+using Changes = std::unordered_map<NodeId, const SkeletonDelta::Change*>;
+
+/// The nearest node up from `parent`, by one side of the edit, that the edit has neither added nor
+/// removed.
+std::optional<NodeId> keptAbove(std::optional<NodeId> parent,
+                                std::optional<Node> SkeletonDelta::Change::*side,
+                                const Changes& changes) {
+  while (parent) {
+    const auto found = changes.find(*parent);
+    if (found == changes.end() || (found->second->before && found->second->after)) break;
+    parent = (found->second->*side)->parent;
+  }
+  return parent;
+}
+
+/// Whether a node grows from another than before: one that is put into its edge, or taken out of
+/// it, attaches it nowhere else.
+bool isReparented(const SkeletonDelta::Change& change, const Changes& changes) {
+  using Change = SkeletonDelta::Change;
+  if (change.before->parent == change.after->parent) return false;
+  return keptAbove(change.before->parent, &Change::before, changes) !=
+         keptAbove(change.after->parent, &Change::after, changes);
+}
+
+void count(const SkeletonDelta::Change& change, const Changes& changes, Corrections& to) {
   if (!change.before || !change.after) {
     ++(change.before ? to.removed : to.added);
     return;
@@ -33,9 +59,9 @@ void count(const SkeletonDelta::Change& change, Corrections& to) {
   const Node& after = *change.after;
   if (before.position != after.position) ++to.moved;
   if (before.radius != after.radius) ++to.radii;
-  if (before.parent != after.parent)
+  if (isReparented(change, changes))
     ++to.reparented;
-  else if (after.parent && before.edge != after.edge)
+  else if (before.parent == after.parent && after.parent && before.edge != after.edge)
     ++to.retyped;
 }
 
@@ -58,8 +84,11 @@ HandWork handWork(std::span<const HistoryStep> done, const Skeleton& skeleton) {
   Corrections& sum = work.corrections;
   for (std::size_t i = first; i < done.size(); ++i) {
     const Corrections before = sum;
+    Changes changes;
     for (const SkeletonDelta::Change& change : done[i].delta.changes)
-      count(change, sum);
+      changes.emplace(change.id, &change);
+    for (const SkeletonDelta::Change& change : done[i].delta.changes)
+      count(change, changes, sum);
     if (sum != before) ++sum.edits;
     if (i == 0) continue;
     const std::int64_t gap = done[i].time - done[i - 1].time;

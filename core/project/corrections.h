@@ -15,7 +15,8 @@ struct Corrections {
   std::size_t added = 0;
   std::size_t removed = 0;
   std::size_t moved = 0;
-  std::size_t reparented = 0; // attached elsewhere, or made a root
+  std::size_t reparented = 0; // attached elsewhere, or made a root; not where only a node of its
+                              // edge came or went
   std::size_t retyped = 0;    // `<` to `+` or back, on the same parent
   std::size_t radii = 0;      // set
 

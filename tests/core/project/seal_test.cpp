@@ -55,6 +55,21 @@ TEST(Corrections, AreCountedByKind) {
   EXPECT_EQ(work.done().corrections, expected);
 }
 
+// To attach a branch to an edge puts a node there: what the edge led to grows from where it did.
+TEST(Corrections, CountOnlyWhatIsAttachedElsewhere) {
+  Work work;
+  work.step(0, [](SkeletonEditor& editor) {
+    const NodeId middle = splitEdge(editor, NodeId{1}, 0.5);
+    reparentNode(editor, NodeId{4}, middle);
+  });
+  EXPECT_EQ(work.done().corrections.added, 1U);
+  EXPECT_EQ(work.done().corrections.reparented, 1U);
+  Work other;
+  other.step(0, [](SkeletonEditor& editor) { removeNode(editor, NodeId{1}); });
+  EXPECT_EQ(other.done().corrections.removed, 1U);
+  EXPECT_EQ(other.done().corrections.reparented, 0U) << "its children grow from its parent";
+}
+
 TEST(Corrections, BeginAfterTheLastReconstruction) {
   Work work;
   work.step(0, [](SkeletonEditor& editor) { moveNode(editor, NodeId{3}, {9, 9, 9}); });

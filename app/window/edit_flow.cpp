@@ -79,6 +79,7 @@ void EditFlow::refreshHistory() {
 void EditFlow::undo() {
   if (later_->registration.isActive()) return later_->registration.removeLast();
   Editing& editing = later_->editing;
+  if (!editing.isPending() && later_->asking.isRestShown()) return later_->asking.stopAsking();
   if (editing.isPending() || !endsPreview(document_.undoStack().index() - 1)) editing.undo();
 }
 

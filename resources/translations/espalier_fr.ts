@@ -193,6 +193,10 @@
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
+    <message>
+        <source>; </source>
+        <translation>&#xa0;; </translation>
+    </message>
 </context>
 <context>
     <name>EvaluationText</name>
@@ -324,7 +328,7 @@
     </message>
     <message>
         <source>Sharp turn</source>
-        <translation>Virage serré</translation>
+        <translation>Virage brusque</translation>
     </message>
     <message>
         <source>Touching branch</source>
@@ -378,27 +382,27 @@
     </message>
     <message>
         <source>%1 added</source>
-        <translation>%1 ajoutés</translation>
+        <translation>ajoutés&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 removed</source>
-        <translation>%1 supprimés</translation>
+        <translation>supprimés&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 moved</source>
-        <translation>%1 déplacés</translation>
+        <translation>déplacés&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 reparented</source>
-        <translation>%1 rattachés</translation>
+        <translation>rattachés&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 with another edge type</source>
-        <translation>%1 avec un autre type d’arête</translation>
+        <translation>avec un autre type d’arête&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 with another radius</source>
-        <translation>%1 avec un autre rayon</translation>
+        <translation>avec un autre rayon&#xa0;: %1</translation>
     </message>
     <message>
         <source>1 edit</source>
@@ -410,7 +414,7 @@
     </message>
     <message>
         <source>%1; nodes: %2</source>
-        <translation>%1&#xa0;; nœuds&#xa0;: %2</translation>
+        <translation>%1&#xa0;; nœuds %2</translation>
     </message>
 </context>
 <context>
@@ -770,27 +774,27 @@
     <name>NodeEdits</name>
     <message>
         <source>New child of %1</source>
-        <translation>Nouvel enfant de %1</translation>
+        <translation>Nouvel enfant&#xa0;: %1</translation>
     </message>
     <message>
         <source>Split the edge of %1</source>
-        <translation>Scinder l’arête de %1</translation>
+        <translation>Scinder l’arête&#xa0;: %1</translation>
     </message>
     <message>
         <source>Remove %1</source>
-        <translation>Supprimer %1</translation>
+        <translation>Supprimer&#xa0;: %1</translation>
     </message>
     <message>
         <source>Remove the subtree of %1</source>
-        <translation>Supprimer le sous-arbre de %1</translation>
+        <translation>Supprimer le sous-arbre&#xa0;: %1</translation>
     </message>
     <message>
         <source>Make %1 axial</source>
-        <translation>Passer %1 en axe</translation>
+        <translation>Passer en axe&#xa0;: %1</translation>
     </message>
     <message>
         <source>Make %1 branching</source>
-        <translation>Passer %1 en ramification</translation>
+        <translation>Passer en ramification&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 has no radius yet: type one in the inspector</source>
@@ -802,35 +806,35 @@
     </message>
     <message>
         <source>Extend the foot at %1</source>
-        <translation>Prolonger le pied à %1</translation>
+        <translation>Prolonger le pied&#xa0;: %1</translation>
     </message>
     <message>
         <source>no points go on below %1: choose the root of a stem</source>
-        <translation>aucun point ne se poursuit sous %1&#xa0;: choisissez la racine d’une tige</translation>
+        <translation>aucun point ne se poursuit plus bas (%1)&#xa0;: choisissez la racine d’une tige</translation>
     </message>
     <message>
         <source>Stick %1 to the points</source>
-        <translation>Coller %1 aux points</translation>
+        <translation>Coller aux points&#xa0;: %1</translation>
     </message>
     <message>
         <source>Stick the subtree of %1 to the points</source>
-        <translation>Coller le sous-arbre de %1 aux points</translation>
+        <translation>Coller le sous-arbre aux points&#xa0;: %1</translation>
     </message>
     <message>
         <source>Center %1</source>
-        <translation>Centrer %1</translation>
+        <translation>Centrer&#xa0;: %1</translation>
     </message>
     <message>
         <source>the points around %1 show no circle: move it by hand</source>
-        <translation>les points autour de %1 ne montrent aucun cercle&#xa0;: déplacez-le à la main</translation>
+        <translation>les points alentour ne montrent aucun cercle (%1)&#xa0;: déplacez à la main</translation>
     </message>
     <message>
         <source>Take the mark off %1</source>
-        <translation>Ôter la marque de %1</translation>
+        <translation>Ôter la marque&#xa0;: %1</translation>
     </message>
     <message>
         <source>Mark a unit start at %1</source>
-        <translation>Marquer un début d’unité à %1</translation>
+        <translation>Marquer un début d’unité&#xa0;: %1</translation>
     </message>
     <message>
         <source>Mark Unit Start</source>
@@ -859,13 +863,6 @@
     <message>
         <source>node %1</source>
         <translation>nœud %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n nodes</source>
-        <translation>
-            <numerusform>%n nœud</numerusform>
-            <numerusform>%n nœuds</numerusform>
-        </translation>
     </message>
     <message>
         <source>New Child</source>
@@ -949,7 +946,7 @@
     </message>
     <message>
         <source>Increase the radius of %1</source>
-        <translation>Augmenter le rayon de %1</translation>
+        <translation>Augmenter le rayon&#xa0;: %1</translation>
     </message>
     <message>
         <source>Decrease Radius</source>
@@ -961,15 +958,19 @@
     </message>
     <message>
         <source>Decrease the radius of %1</source>
-        <translation>Diminuer le rayon de %1</translation>
+        <translation>Diminuer le rayon&#xa0;: %1</translation>
     </message>
     <message>
         <source>Change the radius of %1</source>
-        <translation>Modifier le rayon de %1</translation>
+        <translation>Modifier le rayon&#xa0;: %1</translation>
     </message>
     <message>
         <source>Set the radius of %1</source>
-        <translation>Définir le rayon de %1</translation>
+        <translation>Définir le rayon&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 nodes</source>
+        <translation>%1 nœuds</translation>
     </message>
 </context>
 <context>
@@ -1093,6 +1094,13 @@
     <message>
         <source>Root: lowest point</source>
         <translation>Racine&#xa0;: point le plus bas</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Backspace</source>
+        <translation>Retour arrière</translation>
     </message>
 </context>
 <context>
@@ -1276,10 +1284,6 @@
         <translation>le sceau vient d’un programme plus ancien, qui ne gardait ni constats ni accords</translation>
     </message>
     <message>
-        <source>findings of the checks were open: %1. Below stands why they are left</source>
-        <translation>constats des contrôles encore ouverts&#xa0;: %1. La raison pour laquelle ils restent est donnée plus bas</translation>
-    </message>
-    <message>
         <source>%1 of %2 nodes were marked as reviewed in bulk</source>
         <translation>%1 nœuds sur %2 ont été marqués en bloc comme révisés</translation>
     </message>
@@ -1386,10 +1390,6 @@
     <message>
         <source>lengths in %1</source>
         <translation>longueurs en %1</translation>
-    </message>
-    <message>
-        <source>To know before reading on</source>
-        <translation>À savoir avant de lire la suite</translation>
     </message>
     <message>
         <source>setting</source>
@@ -2211,6 +2211,14 @@
         <source>By radius</source>
         <translation>Par rayon</translation>
     </message>
+    <message>
+        <source>findings of the checks were open: %1. Below stands why they are left</source>
+        <translation>constats des contrôles encore ouverts&#xa0;: %1. La raison pour laquelle ils restent est donnée plus bas</translation>
+    </message>
+    <message>
+        <source>To know before reading on</source>
+        <translation>À savoir avant de lire la suite</translation>
+    </message>
 </context>
 <context>
     <name>ReportedPlant</name>
@@ -2559,15 +2567,15 @@
     <name>StructureEdits</name>
     <message>
         <source>Swap the continuation of %1</source>
-        <translation>Échanger la continuation de %1</translation>
+        <translation>Échanger la continuation&#xa0;: %1</translation>
     </message>
     <message>
         <source>Cut off %1</source>
-        <translation>Couper %1</translation>
+        <translation>Couper&#xa0;: %1</translation>
     </message>
     <message>
         <source>Join %1 to %2</source>
-        <translation>Joindre %1 à %2</translation>
+        <translation>Joindre&#xa0;: %1 à %2</translation>
     </message>
     <message>
         <source>%1 is the root already</source>
@@ -2575,11 +2583,11 @@
     </message>
     <message>
         <source>Make %1 the root</source>
-        <translation>Faire de %1 la racine</translation>
+        <translation>Prendre comme racine&#xa0;: %1</translation>
     </message>
     <message>
         <source>Merge %1</source>
-        <translation>Fusionner %1</translation>
+        <translation>Fusionner&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 is alone on its axis: select the two ends of a path</source>
@@ -2587,7 +2595,7 @@
     </message>
     <message>
         <source>Turn around the path of %1</source>
-        <translation>Retourner le chemin de %1</translation>
+        <translation>Retourner le chemin&#xa0;: %1</translation>
     </message>
     <message>
         <source>the plant has no edge to smooth along</source>
@@ -2595,7 +2603,7 @@
     </message>
     <message>
         <source>Smooth %1</source>
-        <translation>Lisser %1</translation>
+        <translation>Lisser&#xa0;: %1</translation>
     </message>
     <message>
         <source>there is no edge between the ends</source>
@@ -2663,7 +2671,7 @@
     </message>
     <message>
         <source>Straighten the path of %1</source>
-        <translation>Redresser le chemin de %1</translation>
+        <translation>Redresser le chemin&#xa0;: %1</translation>
     </message>
     <message>
         <source>Smooth</source>
@@ -2683,7 +2691,7 @@
     </message>
     <message>
         <source>Interpolate the radii of the path of %1</source>
-        <translation>Interpoler les rayons du chemin de %1</translation>
+        <translation>Interpoler les rayons du chemin&#xa0;: %1</translation>
     </message>
     <message>
         <source>Thin Out</source>
@@ -2695,7 +2703,7 @@
     </message>
     <message>
         <source>Thin out the path of %1</source>
-        <translation>Éclaircir le chemin de %1</translation>
+        <translation>Éclaircir le chemin&#xa0;: %1</translation>
     </message>
     <message>
         <source>Space Evenly</source>
@@ -2727,7 +2735,7 @@
     </message>
     <message>
         <source>Space the path of %1</source>
-        <translation>Espacer le chemin de %1</translation>
+        <translation>Espacer le chemin&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -2987,7 +2995,7 @@
     </message>
     <message>
         <source>Drag: pull a child out of %1   Click: go on from it</source>
-        <translation>Glisser&#xa0;: tirer un enfant hors de %1   Cliquer&#xa0;: continuer à partir de lui</translation>
+        <translation>Glisser&#xa0;: tirer un enfant (%1)   Cliquer&#xa0;: continuer à partir de lui</translation>
     </message>
     <message>
         <source>Press: insert a node here   Drag: move it</source>
@@ -3015,7 +3023,7 @@
     </message>
     <message>
         <source>Move %1</source>
-        <translation>Déplacer %1</translation>
+        <translation>Déplacer&#xa0;: %1</translation>
     </message>
     <message>
         <source>Add a child to %1</source>
@@ -3168,24 +3176,12 @@
         <translation>Les probabilités ne changeraient rien à ce qui reste</translation>
     </message>
     <message>
-        <source>1 change is shown: the same command makes it, Esc drops it</source>
-        <translation>1 changement est affiché&#xa0;: la même commande l’applique, Échap l’abandonne</translation>
-    </message>
-    <message>
-        <source>%1 changes are shown: the same command makes them, Esc drops them</source>
-        <translation>%1 changements sont affichés&#xa0;: la même commande les applique, Échap les abandonne</translation>
-    </message>
-    <message>
         <source>1 place is decided by its odds</source>
         <translation>1 endroit est décidé par ses probabilités</translation>
     </message>
     <message>
         <source>%1 places are decided by their odds</source>
         <translation>%1 endroits sont décidés par leurs probabilités</translation>
-    </message>
-    <message>
-        <source>Decide the Rest by Odds: once more makes the changes   {leave} drops them</source>
-        <translation>Décider du reste par les probabilités&#xa0;: une seconde fois applique les changements   {leave} les abandonne</translation>
     </message>
     <message>
         <source>Correct it with any tool   {skip_doubt} goes on   {take_back_answer} takes back   {leave} ends</source>
@@ -3214,6 +3210,22 @@
     <message>
         <source>Nothing that is listed is in doubt any more</source>
         <translation>Plus rien de ce qui est listé n’est en doute</translation>
+    </message>
+    <message>
+        <source>1 change is shown. To make it, choose Decide the Rest by Odds again; Esc drops it</source>
+        <translation>1 changement est affiché. Pour le faire, choisissez encore Décider du reste&#xa0;; Échap l’abandonne</translation>
+    </message>
+    <message>
+        <source>%1 changes are shown. To make them, choose Decide the Rest by Odds again; Esc drops them</source>
+        <translation>%1 changements sont affichés. Pour les faire, choisissez encore Décider du reste&#xa0;; Échap les abandonne</translation>
+    </message>
+    <message>
+        <source>Choose Decide the Rest by Odds again to make the changes   {leave} drops them</source>
+        <translation>Choisissez encore Décider du reste pour faire les changements   {leave} les abandonne</translation>
+    </message>
+    <message>
+        <source>Answer the Question</source>
+        <translation>Répondre à la question</translation>
     </message>
 </context>
 <context>
@@ -3681,6 +3693,10 @@
     <message>
         <source>No command has this name</source>
         <translation>Aucune commande ne porte ce nom</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -4212,7 +4228,7 @@
     </message>
     <message>
         <source>Edge of %1</source>
-        <translation>Arête de %1</translation>
+        <translation>Arête&#xa0;: %1</translation>
     </message>
     <message>
         <source>Empty space</source>
@@ -4529,7 +4545,7 @@
     </message>
     <message>
         <source>Attach node %1 as %2</source>
-        <translation>Rattacher nœud %1 comme dans %2</translation>
+        <translation>Rattacher le nœud %1 comme dans %2</translation>
     </message>
 </context>
 <context>
@@ -5099,7 +5115,7 @@
     </message>
     <message>
         <source>Opens at the chapter of the panel, tool or dialog that you are in</source>
-        <translation>S&apos;ouvre au chapitre du panneau, de l&apos;outil ou du dialogue où vous êtes</translation>
+        <translation>S’ouvre au chapitre du panneau, de l’outil ou du dialogue où vous êtes</translation>
     </message>
 </context>
 <context>
@@ -5820,7 +5836,7 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
     <message>
         <source>Espalier crashed on %1. What happened is in %2</source>
-        <translation>Espalier s&apos;est arrêté brutalement le %1. Ce qui s&apos;est passé est dans %2</translation>
+        <translation>Espalier s’est arrêté brutalement le %1. Ce qui s’est passé est dans %2</translation>
     </message>
 </context>
 <context>
@@ -6132,7 +6148,7 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
     <message>
         <source>Click: select %1   Drag: turn   Right drag: pan</source>
-        <translation>Cliquer&#xa0;: sélectionner %1   Glisser&#xa0;: tourner   Bouton droit&#xa0;: déplacer</translation>
+        <translation>Cliquer&#xa0;: sélectionner (%1)   Glisser&#xa0;: tourner   Bouton droit&#xa0;: déplacer</translation>
     </message>
     <message numerus="yes">
         <source>Drag: move the %n nodes   Click: select this one alone   Shift+click: leave it out   {new_child} new child   {tool_reparent} reparent   {remove} remove</source>
@@ -6143,15 +6159,15 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
     <message>
         <source>Drag: move %1   {new_child} new child   {split_edge} split edge   {tool_reparent} reparent   {remove} remove</source>
-        <translation>Glisser&#xa0;: déplacer %1   {new_child} nouvel enfant   {split_edge} scinder l’arête   {tool_reparent} rattacher   {remove} supprimer</translation>
+        <translation>Glisser&#xa0;: déplacer (%1)   {new_child} nouvel enfant   {split_edge} scinder l’arête   {tool_reparent} rattacher   {remove} supprimer</translation>
     </message>
     <message>
         <source>Click: select %1   Drag: move it   {new_child} new child   {split_edge} split edge   {tool_reparent} reparent   {remove} remove</source>
-        <translation>Cliquer&#xa0;: sélectionner %1   Glisser&#xa0;: le déplacer   {new_child} nouvel enfant   {split_edge} scinder l’arête   {tool_reparent} rattacher   {remove} supprimer</translation>
+        <translation>Cliquer&#xa0;: sélectionner (%1)   Glisser&#xa0;: déplacer   {new_child} nouvel enfant   {split_edge} scinder l’arête   {tool_reparent} rattacher   {remove} supprimer</translation>
     </message>
     <message>
         <source>Click: select %1   {split_edge}: split the edge here   Drag: turn   Right drag: pan</source>
-        <translation>Cliquer&#xa0;: sélectionner %1   {split_edge}&#xa0;: scinder l’arête ici   Glisser&#xa0;: tourner   Bouton droit&#xa0;: déplacer</translation>
+        <translation>Cliquer&#xa0;: sélectionner (%1)   {split_edge}&#xa0;: scinder l’arête ici   Glisser&#xa0;: tourner   Bouton droit&#xa0;: déplacer</translation>
     </message>
     <message>
         <source>Drag: turn   Right drag: pan   Wheel: zoom   Click a node: select it   Shift+drag: box   Alt+drag: lasso</source>
@@ -6207,7 +6223,7 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
     <message>
         <source>Move %1</source>
-        <translation>Déplacer %1</translation>
+        <translation>Déplacer&#xa0;: %1</translation>
     </message>
     <message numerus="yes">
         <source>Move %n nodes</source>
@@ -6256,11 +6272,11 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
     <message>
         <source>Make %1 axial</source>
-        <translation>Passer %1 en axe</translation>
+        <translation>Passer en axe&#xa0;: %1</translation>
     </message>
     <message>
         <source>Make %1 branching</source>
-        <translation>Passer %1 en ramification</translation>
+        <translation>Passer en ramification&#xa0;: %1</translation>
     </message>
     <message>
         <source>Copied: %1</source>
@@ -6434,7 +6450,7 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
     <message>
         <source>Let the organ of %1 be found</source>
-        <translation>Laisser trouver l’organe de %1</translation>
+        <translation>Laisser trouver l’organe&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -6614,6 +6630,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>Wrote %1, %2 × %3 pixels</source>
         <translation>%1 écrit, %2 × %3 pixels</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
     </message>
 </context>
 <context>
@@ -7290,11 +7310,11 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
     <message>
         <source>Pipe model from %1</source>
-        <translation>Modèle des tuyaux à partir de %1</translation>
+        <translation>Modèle des tuyaux à partir d’ici&#xa0;: %1</translation>
     </message>
     <message>
         <source>Pipe model from %1, measured radii kept</source>
-        <translation>Modèle des tuyaux à partir de %1, rayons mesurés gardés</translation>
+        <translation>Modèle des tuyaux à partir d’ici, rayons mesurés gardés&#xa0;: %1</translation>
     </message>
     <message>
         <source>Pipe model: %1 kept their radius, which the points confirm</source>
@@ -7302,11 +7322,11 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
     <message>
         <source>Smooth the radius of %1</source>
-        <translation>Lisser le rayon de %1</translation>
+        <translation>Lisser le rayon&#xa0;: %1</translation>
     </message>
     <message>
         <source>Limit the radius of %1</source>
-        <translation>Limiter le rayon de %1</translation>
+        <translation>Limiter le rayon&#xa0;: %1</translation>
     </message>
     <message>
         <source>No selected node is thicker than its parent</source>
@@ -7813,7 +7833,7 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
     <message>
         <source>Regrow %1</source>
-        <translation>Reconstruire à nouveau %1</translation>
+        <translation>Reconstruire à nouveau&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 is gone, which was to carry a branch: drop this, and grow it again</source>
@@ -7841,27 +7861,27 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
     <message>
         <source>Release: attach %1 to %2   Esc: put it back</source>
-        <translation>Relâcher&#xa0;: attacher %1 à %2   Échap&#xa0;: remettre en place</translation>
+        <translation>Relâcher&#xa0;: rattacher %1 → %2   Échap&#xa0;: remettre en place</translation>
     </message>
     <message>
         <source>Release: attach %1 here on the edge   Esc: put it back</source>
-        <translation>Relâcher&#xa0;: attacher %1 ici sur l’arête   Échap&#xa0;: remettre en place</translation>
+        <translation>Relâcher&#xa0;: rattacher ici, sur l’arête (%1)   Échap&#xa0;: remettre en place</translation>
     </message>
     <message>
         <source>Drop %1 on its new parent   Esc: put it back</source>
-        <translation>Déposer %1 sur son nouveau parent   Échap&#xa0;: remettre en place</translation>
+        <translation>Déposer sur le nouveau parent (%1)   Échap&#xa0;: remettre en place</translation>
     </message>
     <message>
         <source>Click: attach %1 to %2   Esc: leave it</source>
-        <translation>Cliquer&#xa0;: attacher %1 à %2   Échap&#xa0;: laisser</translation>
+        <translation>Cliquer&#xa0;: rattacher %1 → %2   Échap&#xa0;: laisser</translation>
     </message>
     <message>
         <source>Click: attach %1 here on the edge   Esc: leave it</source>
-        <translation>Cliquer&#xa0;: attacher %1 ici sur l’arête   Échap&#xa0;: laisser</translation>
+        <translation>Cliquer&#xa0;: rattacher ici, sur l’arête (%1)   Échap&#xa0;: laisser</translation>
     </message>
     <message>
         <source>Click the new parent of %1   Drag: turn   Esc: leave it</source>
-        <translation>Cliquer le nouveau parent de %1   Glisser&#xa0;: tourner   Échap&#xa0;: laisser</translation>
+        <translation>Cliquer le nouveau parent (%1)   Glisser&#xa0;: tourner   Échap&#xa0;: laisser</translation>
     </message>
     <message>
         <source>a branch cannot be attached to itself: choose a place outside it</source>
@@ -7869,11 +7889,23 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
     <message>
         <source>Reparent %1 to %2</source>
-        <translation>Rattacher %1 à %2</translation>
+        <translation>Rattacher&#xa0;: %1 au nœud %2</translation>
     </message>
     <message>
         <source>Reparent %1 to the edge of %2</source>
-        <translation>Rattacher %1 à l’arête de %2</translation>
+        <translation>Rattacher&#xa0;: %1 à une arête (%2)</translation>
+    </message>
+    <message>
+        <source>%1 is what is attached: click the node or edge that it grows from</source>
+        <translation>%1 est ce qui est rattaché&#xa0;: cliquez le nœud ou l’arête d’où il part</translation>
+    </message>
+    <message>
+        <source>%1 is one of the %2 nodes that are attached: click the node or edge that they grow from, or press Esc and choose fewer nodes</source>
+        <translation>%1 est un des %2 nœuds rattachés&#xa0;: cliquez le nœud ou l’arête d’où ils partent, ou appuyez sur Échap et choisissez moins de nœuds</translation>
+    </message>
+    <message>
+        <source>no node or edge is there to attach %1 to: what points or wood hide is not clicked; turn the plant, or choose Select &gt; Select Through</source>
+        <translation>il n’y a là ni nœud ni arête où rattacher (%1)&#xa0;: ce que des points ou du bois cachent ne se clique pas&#xa0;; tournez la plante, ou choisissez Sélection &gt; Sélectionner à travers</translation>
     </message>
     <message>
         <source>Enter: attach %1 to %2   Arrow keys: to another   Click the new parent   Esc: leave it</source>
@@ -8093,19 +8125,19 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
     <message>
         <source>Mark %1 reviewed</source>
-        <translation>Marquer révisé %1</translation>
+        <translation>Marquer révisé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Mark %1 doubtful</source>
-        <translation>Marquer douteux %1</translation>
+        <translation>Marquer douteux&#xa0;: %1</translation>
     </message>
     <message>
         <source>Mark %1 to do</source>
-        <translation>Marquer à faire %1</translation>
+        <translation>Marquer à faire&#xa0;: %1</translation>
     </message>
     <message>
         <source>Comment on %1</source>
-        <translation>Commenter %1</translation>
+        <translation>Commenter&#xa0;: %1</translation>
     </message>
     <message>
         <source>nothing is selected to mark: walk to a stop, or select nodes</source>
@@ -8140,10 +8172,6 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <translation>Sans scan, on ne sait rien des erreurs&#xa0;: le parcours suit la plante</translation>
     </message>
     <message>
-        <source>Stop %1 of %2</source>
-        <translation>Arrêt %1/%2</translation>
-    </message>
-    <message>
         <source>: no wood</source>
         <translation>&#xa0;: pas de bois</translation>
     </message>
@@ -8154,10 +8182,6 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>: risk %1 %</source>
         <translation>&#xa0;: risque %1&#xa0;%</translation>
-    </message>
-    <message>
-        <source>Riskiest part: %1</source>
-        <translation>Partie la plus risquée&#xa0;: %1</translation>
     </message>
     <message>
         <source>No wood is near these points: add some, or press {mark_reviewed} if there is none</source>
@@ -8186,6 +8210,22 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>Nothing is to do; %1: {next_not_reviewed} walks there</source>
         <translation>Plus rien n’est à faire&#xa0;; %1&#xa0;: {next_not_reviewed} y mène</translation>
+    </message>
+    <message>
+        <source>No stop left</source>
+        <translation>Aucun arrêt ne reste</translation>
+    </message>
+    <message>
+        <source>1 stop left</source>
+        <translation>1 arrêt reste</translation>
+    </message>
+    <message>
+        <source>%1 stops left</source>
+        <translation>%1 arrêts restent</translation>
+    </message>
+    <message>
+        <source>The riskiest wood of this stop: %1</source>
+        <translation>Le bois le plus risqué de cet arrêt&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -9343,7 +9383,7 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     </message>
     <message>
         <source>Sharp turn</source>
-        <translation>Virage serré</translation>
+        <translation>Virage brusque</translation>
     </message>
     <message>
         <source>An axis that turns by more at a node is reported.</source>
@@ -11891,7 +11931,7 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     </message>
     <message>
         <source>Where the thin wood is at most so many point spacings thick, all points are kept.</source>
-        <translation>Là où l&apos;épaisseur du bois mince ne dépasse pas ce nombre d&apos;espacements des points, tous les points sont gardés.</translation>
+        <translation>Là où l’épaisseur du bois mince ne dépasse pas ce nombre d’espacements des points, tous les points sont gardés.</translation>
     </message>
     <message>
         <source>As needed</source>
@@ -11899,7 +11939,7 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     </message>
     <message>
         <source>Where the wood is many point spacings thick, keeps as many points as give the skeleton of which the most is probably right.</source>
-        <translation>Là où le bois a une épaisseur de nombreux espacements, garde autant de points qu&apos;il en faut pour le squelette dont la plus grande part est probablement juste.</translation>
+        <translation>Là où le bois a une épaisseur de nombreux espacements, garde autant de points qu’il en faut pour le squelette dont la plus grande part est probablement juste.</translation>
     </message>
     <message>
         <source>branching angle, order %1</source>
@@ -11939,7 +11979,7 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     </message>
     <message>
         <source>azimuth of ahead</source>
-        <translation>azimut de l&apos;avant</translation>
+        <translation>azimut de l’avant</translation>
     </message>
     <message>
         <source>exponent above</source>
@@ -11951,7 +11991,7 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     </message>
     <message>
         <source>share of the points inside</source>
-        <translation>part des points à l&apos;intérieur</translation>
+        <translation>part des points à l’intérieur</translation>
     </message>
     <message>
         <source>width</source>
@@ -12471,11 +12511,11 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     </message>
     <message>
         <source>lower end of the axis</source>
-        <translation>extrémité basse de l&apos;axe</translation>
+        <translation>extrémité basse de l’axe</translation>
     </message>
     <message>
         <source>upper end of the axis</source>
-        <translation>extrémité haute de l&apos;axe</translation>
+        <translation>extrémité haute de l’axe</translation>
     </message>
     <message>
         <source>base</source>
@@ -12681,6 +12721,14 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>Sign</source>
         <translation>Signer</translation>
+    </message>
+    <message>
+        <source>Type why findings are left to sign</source>
+        <translation>Pour signer, saisissez pourquoi des constats restent</translation>
+    </message>
+    <message>
+        <source>Type your name to sign</source>
+        <translation>Pour signer, saisissez votre nom</translation>
     </message>
 </context>
 <context>
@@ -12961,7 +13009,7 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     </message>
     <message>
         <source>Cut off %1</source>
-        <translation>Couper %1</translation>
+        <translation>Couper&#xa0;: %1</translation>
     </message>
     <message>
         <source>arms are exchanged where two branches cross: draw around one crossing</source>
@@ -13224,6 +13272,10 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <source>; %1 answers would make it %2 %</source>
         <translation>&#xa0;; %1 réponses la porteraient à %2 %</translation>
     </message>
+    <message>
+        <source>What Is Listed</source>
+        <translation>Ce qui est listé</translation>
+    </message>
 </context>
 <context>
     <name>espalier::SuspectsModel</name>
@@ -13439,7 +13491,7 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     </message>
     <message>
         <source>Look at what is in doubt: %1 asks about what the program is not sure of, %2 goes to places that look wrong.</source>
-        <translation>Regarder ce qui est douteux&#xa0;: %1 pose des questions sur ce dont le programme n&apos;est pas sûr, %2 va aux endroits qui semblent faux.</translation>
+        <translation>Regarder ce qui est douteux&#xa0;: %1 pose des questions sur ce dont le programme n’est pas sûr, %2 va aux endroits qui semblent faux.</translation>
     </message>
     <message>
         <source>Sign: %1 opens the review. It shows the plant part by part; Enter marks what is right. Sign Structure… then seals it.</source>
@@ -13993,7 +14045,7 @@ Chargez une référence pour voir comment les deux s’accordent.</translation>
     </message>
     <message>
         <source>Set the class of %1</source>
-        <translation>Définir la classe de %1</translation>
+        <translation>Définir la classe&#xa0;: %1</translation>
     </message>
     <message>
         <source>Index</source>
@@ -14005,7 +14057,7 @@ Chargez une référence pour voir comment les deux s’accordent.</translation>
     </message>
     <message>
         <source>Set the index of %1</source>
-        <translation>Définir l’indice de %1</translation>
+        <translation>Définir l’indice&#xa0;: %1</translation>
     </message>
     <message>
         <source>Alias</source>
@@ -14017,7 +14069,7 @@ Chargez une référence pour voir comment les deux s’accordent.</translation>
     </message>
     <message>
         <source>Set the alias of %1</source>
-        <translation>Définir l’alias de %1</translation>
+        <translation>Définir l’alias&#xa0;: %1</translation>
     </message>
     <message>
         <source>At %1</source>
@@ -14679,7 +14731,7 @@ Chargez une référence pour voir comment les deux s’accordent.</translation>
     </message>
     <message>
         <source>the plants that are still to be signed are open in other windows</source>
-        <translation>les plantes encore à signer sont ouvertes dans d&apos;autres fenêtres</translation>
+        <translation>les plantes encore à signer sont ouvertes dans d’autres fenêtres</translation>
     </message>
 </context>
 <context>

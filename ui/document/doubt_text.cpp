@@ -63,4 +63,11 @@ QString textOf(const Doubt& doubt, const Alternative& alternative) {
   return {};
 }
 
+std::vector<std::size_t> numbered(const Doubt& doubt) {
+  std::vector<std::size_t> order = {doubt.present};
+  for (std::size_t i = 0; i < doubt.alternatives.size(); ++i)
+    if (i != doubt.present) order.push_back(i);
+  return order;
+}
+
 } // namespace espalier

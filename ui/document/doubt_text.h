@@ -5,6 +5,9 @@
 
 #include <QString>
 
+#include <cstddef>
+#include <vector>
+
 namespace espalier {
 
 /// What doubts of a kind are, as the title of a list of them: "May be no wood".
@@ -17,5 +20,9 @@ namespace espalier {
 
 /// An answer in a few words: "as it is", "from node 14".
 [[nodiscard]] QString textOf(const Doubt& doubt, const Alternative& alternative);
+
+/// The alternatives in the order of their numbers, which are also their keys: what leaves the plant
+/// as it is, then the others, the most probable first. So the first key means the same everywhere.
+[[nodiscard]] std::vector<std::size_t> numbered(const Doubt& doubt);
 
 } // namespace espalier

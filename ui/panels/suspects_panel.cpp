@@ -253,11 +253,12 @@ void SuspectsPanel::showQuestion(const std::optional<Doubt>& doubt, bool isByHan
   if (!doubt) return;
   question_->setText(isByHand ? tr("Correct it with any tool, or go on")
                               : questionOf(*doubt, document_.unit()));
+  const std::vector<std::size_t> order = numbered(*doubt);
   for (std::size_t i = 0; i < answers_.size(); ++i) {
-    const bool isThere = !isByHand && i < doubt->alternatives.size();
+    const bool isThere = !isByHand && i < order.size();
     answers_[i]->setVisible(isThere);
     if (!isThere) continue;
-    const Alternative& one = doubt->alternatives[i];
+    const Alternative& one = doubt->alternatives[order[i]];
     answers_[i]->setText(tr("%1  %2 · %3 %")
                              .arg(i + 1)
                              .arg(textOf(*doubt, one))

@@ -329,6 +329,11 @@ void Editing::actOnSelected() {
   under_ = {};
 }
 
+void Editing::actOnPointed() {
+  restsAt_.reset();
+  canvas_.view().hoverAgain();
+}
+
 bool Editing::handle(PlantView& view, const ToolInput& input) {
   // One view keeps the gesture it began; what comes from the others meanwhile is not for a tool.
   if (&canvas_.view() != &view && tool().isBusy()) return true;

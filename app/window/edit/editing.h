@@ -66,6 +66,7 @@ public:
 
   /// Keys act on what is selected, whatever the pointer is on, until it moves.
   void actOnSelected();
+  void actOnPointed(); // again
 
   [[nodiscard]] const Pick& under() const { return under_; } // the pointer, as last reported
   [[nodiscard]] std::optional<QPointF> pointer() const; // in the active view; none once it left

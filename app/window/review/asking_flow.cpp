@@ -12,6 +12,7 @@
 
 #include <QAction>
 #include <QMainWindow>
+#include <QMenu>
 #include <QScopedValueRollback>
 
 #include <algorithm>
@@ -76,9 +77,10 @@ void AskingFlow::addActions() {
       tr("Shows what the odds, as answers have taught, would change; once more makes it, as one "
          "step"),
       {}, [this] { decideRest(); });
-  parts_.actions.place("review/doubts",
-                       {"ask_doubts", "answer_1", "answer_2", "answer_3", "answer_4", "answer_none",
-                        "skip_doubt", "take_back_answer", "stop_asking", "", "decide_rest"});
+  parts_.actions.place("review/doubts", {"ask_doubts", "decide_rest"});
+  parts_.actions.place("review/doubts", [this](QMenu& menu) { // all of them would not fit a screen
+    menu.addMenu(tr("Answer the Question"))->addActions(keys_);
+  });
 }
 
 void AskingFlow::connectParts() {
@@ -154,6 +156,8 @@ void AskingFlow::begin(const std::optional<Doubt>& first) {
     isAsking_ = true;
     isRestShown_ = false;
     skipped_.clear();
+    selectedBefore_ = parts_.document.selection().nodes();
+    selectedByIt_.clear();
     borrowKeys();
     parts_.doubts.setWanted(DoubtsFlow::Use::asking, true);
     parts_.doubts.findAgain();
@@ -176,7 +180,7 @@ void AskingFlow::wait() {
 
 void AskingFlow::stopAsking() {
   if (!isAsking_ && !isRestShown_) return;
-  isAsking_ = false;
+  if (std::exchange(isAsking_, false)) giveSelectionBack();
   isAwaited_ = false;
   isByHand_ = false;
   isRestShown_ = false;
@@ -209,6 +213,17 @@ void AskingFlow::giveKeysBack() {
   for (const auto& [action, keys] : borrowed_)
     if (action) action->setShortcuts(keys);
   borrowed_.clear();
+}
+
+/// What it has selected is not what one chose: the next key would act on it.
+void AskingFlow::giveSelectionBack() {
+  Selection& selection = parts_.document.selection();
+  const bool isItsOwn = !selectedByIt_.empty() && selection.nodes() == selectedByIt_;
+  if (!isItsOwn) return;
+  std::erase_if(selectedBefore_,
+                [this](NodeId id) { return !parts_.document.skeleton().contains(id); });
+  selection.set(std::move(selectedBefore_));
+  parts_.editing.actOnPointed();
 }
 
 bool AskingFlow::isSkipped(const Doubt& doubt) const {
@@ -268,20 +283,27 @@ void AskingFlow::look(const Doubt& doubt) {
   const Skeleton& skeleton = parts_.document.skeleton();
   parts_.document.selection().set(doubt.nodes.empty() ? std::vector<NodeId>{doubt.node}
                                                       : doubt.nodes);
+  selectedByIt_ = parts_.document.selection().nodes();
   parts_.editing.actOnSelected();
   const Sight sight = sightOf(skeleton, doubt);
   const Camera camera = parts_.view.cameraToSee(sight);
-  const QString note = parts_.reveal(sight.nodes, sight.places, camera);
+  QStringList notes;
+  const QUndoStack& stack = parts_.document.undoStack();
+  if (std::exchange(isEdited_, false) && stack.index() > 0 && !stack.canRedo())
+    notes.append(stack.text(stack.index() - 1));
+  if (const QString note = parts_.reveal(sight.nodes, sight.places, camera); !note.isEmpty())
+    notes.append(note);
   parts_.view.flyTo(camera, focusOn(skeleton, sight));
-  emit noted(note); // or what is asked is seen in the status line
+  emit noted(notes.join(QStringLiteral(" · "))); // or what is asked is seen in the status line
 }
 
-void AskingFlow::answer(std::size_t alternative) {
-  if (!current_ || alternative >= current_->alternatives.size()) return;
+void AskingFlow::answer(std::size_t number) {
+  if (!current_ || number >= current_->alternatives.size()) return;
   const Doubt doubt = *current_;
+  isEdited_ = false;
   {
     const QScopedValueRollback own(isOwnEdit_, true);
-    parts_.doubts.answer(doubt, alternative);
+    parts_.doubts.answer(doubt, numbered(doubt)[number]);
   }
   asked_.push_back(doubt);
   current_.reset();
@@ -301,12 +323,14 @@ void AskingFlow::answerNone() {
 }
 
 void AskingFlow::skip() {
+  isEdited_ = false;
   if (current_ && !isByHand_) skipped_.push_back(*current_);
   current_.reset();
   goOn();
 }
 
 void AskingFlow::takeBack() {
+  isEdited_ = false;
   AnsweredDoubt last;
   {
     const QScopedValueRollback own(isOwnEdit_, true);
@@ -330,6 +354,7 @@ StepId AskingFlow::lastStep() const {
 void AskingFlow::noteEdit(const SkeletonDelta& delta) {
   if (isRestShown_) stopAsking();
   if (!isAsking_ || isOwnEdit_ || !current_) return;
+  isEdited_ = true;
   const bool isOfIt =
       std::ranges::any_of(delta.changes, [this](const SkeletonDelta::Change& change) {
         return changesCourse(change) &&
@@ -389,8 +414,10 @@ void AskingFlow::decideRest() {
     draw();
     parts_.view.frameAll();
     emit noted(changes == 1
-                   ? tr("1 change is shown: the same command makes it, Esc drops it")
-                   : tr("%1 changes are shown: the same command makes them, Esc drops them")
+                   ? tr("1 change is shown. To make it, choose Decide the Rest by Odds again; Esc "
+                        "drops it")
+                   : tr("%1 changes are shown. To make them, choose Decide the Rest by Odds again; "
+                        "Esc drops them")
                          .arg(formatCount(changes)));
     emit hintChanged();
     return;
@@ -430,8 +457,9 @@ QString AskingFlow::failureText() const {
 
 QString AskingFlow::hint() const {
   if (isRestShown_)
-    return withKeys(tr("Decide the Rest by Odds: once more makes the changes   {leave} drops them"),
-                    parts_.actions);
+    return withKeys(
+        tr("Choose Decide the Rest by Odds again to make the changes   {leave} drops them"),
+        parts_.actions);
   if (!isAsking_ || parts_.editing.isPending()) return {};
   if (isByHand_)
     return withKeys(tr("Correct it with any tool   {skip_doubt} goes on   {take_back_answer} takes "
@@ -439,8 +467,9 @@ QString AskingFlow::hint() const {
                     parts_.actions);
   if (!current_) return withKeys(tr("Looking for doubts…   {leave} ends"), parts_.actions);
   QStringList parts;
-  for (std::size_t i = 0; i < current_->alternatives.size(); ++i)
-    parts.append(QString("%1 %2").arg(i + 1).arg(textOf(*current_, current_->alternatives[i])));
+  for (const std::size_t i : numbered(*current_))
+    parts.append(
+        QString("%1 %2").arg(parts.size() + 1).arg(textOf(*current_, current_->alternatives[i])));
   parts.append(withKeys(
       tr("{answer_none} none   {skip_doubt} skip   {take_back_answer} back   {leave} ends"),
       parts_.actions));

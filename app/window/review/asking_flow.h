@@ -50,6 +50,7 @@ public:
   [[nodiscard]] QString hint() const override;
   /// Something is asked, or is shown to be decided: stopAsking() ends it.
   [[nodiscard]] bool isShowing() const { return isAsking_ || isRestShown_; }
+  [[nodiscard]] bool isRestShown() const { return isRestShown_; } // to be decided
   void askAbout(const Doubt& doubt); // where it may not ask, it only goes there
   void stopAsking();
   /// Which doubts it goes through by itself; at first all.
@@ -67,11 +68,12 @@ private:
   void begin(const std::optional<Doubt>& first = {}); // none: what matters most
   void borrowKeys();
   void giveKeysBack();
+  void giveSelectionBack();
   void goOn(); // to the next doubt
   void goTo(const Doubt& doubt);
   void look(const Doubt& doubt);
   void draw();
-  void answer(std::size_t alternative);
+  void answer(std::size_t number); // of an alternative, from 0 on
   void answerNone();
   void skip();
   void takeBack();
@@ -89,9 +91,11 @@ private:
 
   Parts parts_;
   std::function<bool(const Doubt&)> isAskedAbout_ = [](const Doubt&) { return true; };
-  QList<QAction*> answers_; // by alternative
+  QList<QAction*> answers_; // by their numbers
   QList<QAction*> keys_;    // on while it asks
   std::vector<std::pair<QPointer<QAction>, QList<QKeySequence>>> borrowed_;
+  std::vector<NodeId> selectedBefore_; // when it began
+  std::vector<NodeId> selectedByIt_;
   std::optional<Doubt> current_;
   LearnedAnswer taught_;       // by an answer to it
   StepId stepBefore_ = {};     // done when it was asked
@@ -103,6 +107,7 @@ private:
   bool isAwaited_ = false; // it begins once doubts are known
   bool isByHand_ = false;  // none of the alternatives was right: an edit is waited for
   bool isOwnEdit_ = false;
+  bool isEdited_ = false;     // by hand, while one question was up
   bool isWoodEdited_ = false; // that is asked about, rather than what an alternative refers to
   QTimer editEnds_;           // runs while wood that is asked about is edited by hand
   bool isRestShown_ = false;  // what the odds would decide: the same action makes it

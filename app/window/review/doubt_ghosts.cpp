@@ -2,6 +2,7 @@
 
 #include "core/skeleton/edge_index.h"
 #include "core/skeleton/path_edits.h"
+#include "ui/document/doubt_text.h"
 
 #include <algorithm>
 
@@ -67,8 +68,8 @@ ShownGhost ghostOf(const Skeleton& skeleton, const Doubt& doubt, const Alternati
 
 std::vector<ShownGhost> ghostsOf(const Skeleton& skeleton, const Doubt& doubt) {
   std::vector<ShownGhost> ghosts;
-  for (const Alternative& one : doubt.alternatives) {
-    ghosts.push_back(ghostOf(skeleton, doubt, one));
+  for (const std::size_t i : numbered(doubt)) {
+    ghosts.push_back(ghostOf(skeleton, doubt, doubt.alternatives[i]));
     ghosts.back().number = static_cast<int>(ghosts.size());
   }
   return ghosts;

@@ -9,7 +9,8 @@
 
 namespace espalier {
 
-/// The alternatives of a doubt, each with its number from 1 on. pre: isThere(doubt, skeleton)
+/// The alternatives of a doubt, each with its number from 1 on, in that order. pre: isThere(doubt,
+/// skeleton)
 [[nodiscard]] std::vector<ShownGhost> ghostsOf(const Skeleton& skeleton, const Doubt& doubt);
 
 /// The likeliest alternative of each doubt, without numbers. pre: they are there

@@ -18,6 +18,7 @@
 #include "ui/view/plant_view.h"
 
 #include <QAction>
+#include <QMenu>
 #include <QScopedValueRollback>
 
 #include <algorithm>
@@ -82,8 +83,12 @@ void SuspectsFlow::addActions() {
   addListed("list_axes", Listed::axes, tr("List the Selected Axes"), tr("Selected axes"),
             tr("Lists only findings and doubts of the axes that selected nodes are on"));
   parts_.actions.place("review/findings",
-                       {"next_finding", "previous_finding", "ignore_finding", "check_limits", "",
-                        "list_all", "list_in_view", "list_selected", "list_axes"});
+                       {"next_finding", "previous_finding", "ignore_finding", "check_limits"});
+  parts_.actions.place("review/findings", [this](QMenu& menu) {
+    QMenu* listed = menu.addMenu(tr("What Is Listed"));
+    for (const char* id : {"list_all", "list_in_view", "list_selected", "list_axes"})
+      listed->addAction(parts_.actions[id]);
+  });
   parts_.actions.place("select/findings", {"select_findings"});
 }
 
@@ -133,6 +138,7 @@ void SuspectsFlow::connectParts() {
   connect(&document.selection(), &Selection::changed, this, [this] { awaitedStep_ = 0; });
   connect(&document, &PlantDocument::skeletonEdited, this, [this] { awaitedStep_ = 0; });
   connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
+    wasWhole_ = false;
     listed_ = Listed::all;
     kind_ = allKinds;
     refresh();
@@ -144,6 +150,7 @@ void SuspectsFlow::connectParts() {
     parts_.doubts.setWanted(DoubtsFlow::Use::panel, isShown);
     parts_.findings.setWanted(isShown);
     isAwaited_ = false;
+    wasWhole_ = false;
     refresh();
     if (isShown) agreementTimer_.start(0);
   });
@@ -239,6 +246,7 @@ std::optional<std::size_t> SuspectsFlow::findingAbout(std::size_t doubt) const {
 void SuspectsFlow::refresh() {
   if (!dock_->isShown()) return panel_->show({});
   findTwins();
+  wasWhole_ = wasWhole_ || !isSearching();
   count_ = parts_.doubts.doubts().size() +
            static_cast<std::size_t>(
                std::ranges::count(twins_, false, &std::optional<std::size_t>::has_value));
@@ -296,11 +304,17 @@ std::optional<std::size_t> SuspectsFlow::rowOf(const What& what) const {
   return static_cast<std::size_t>(at - rows.begin());
 }
 
+bool SuspectsFlow::isSearching() const {
+  return parts_.findings.isBusy() || parts_.doubts.isBusy();
+}
+
 void SuspectsFlow::step(int by) {
   dock_->bringToFront();
   parts_.findings.checkNow();
   const std::size_t count = panel_->suspects().size();
-  if (count == 0) {
+  // What comes first is known once all is; an edit later does not hold up who goes through the
+  // list.
+  if (count == 0 || (!wasWhole_ && isSearching())) {
     noteNothing();
     awaitedStep_ = isAwaited_ ? by : 0;
     return;
@@ -323,6 +337,7 @@ void SuspectsFlow::noteNothing() {
 /// To who has asked for a place before there were any, and done nothing else since.
 void SuspectsFlow::answer() {
   if (!isAwaited_ || !parts_.findings.isAllChecked()) return;
+  if (awaitedStep_ != 0 && !wasWhole_ && isSearching()) return;
   const int by = std::exchange(awaitedStep_, 0);
   isAwaited_ = false;
   if (panel_->suspects().empty()) {

@@ -70,6 +70,7 @@ private:
   [[nodiscard]] What whatOf(const Suspect& suspect) const;
   [[nodiscard]] std::optional<std::size_t> rowOf(const What& what) const;
 
+  [[nodiscard]] bool isSearching() const;
   void step(int by);
   void noteNothing();
   void answer();
@@ -111,6 +112,7 @@ private:
   bool isRefreshing_ = false;
   bool isAwaited_ = false; // one has asked for one before there were any
   int awaitedStep_ = 0;    // where to then: as of step(); 0: one only waits for the result
+  bool wasWhole_ = false;  // all that may be wrong was known once since the list is shown
 };
 
 } // namespace espalier

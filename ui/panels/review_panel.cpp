@@ -177,7 +177,7 @@ void ReviewPanel::addAxes(QVBoxLayout& column) {
   axes_->setSelectionBehavior(QAbstractItemView::SelectRows);
   axes_->setSelectionMode(QAbstractItemView::SingleSelection);
   axes_->setShowGrid(false);
-  axes_->setMinimumHeight(96);
+  axes_->setMinimumHeight(52); // a row: what signs stays in sight
   axes_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   axes_->verticalHeader()->hide();
   axes_->verticalHeader()->setDefaultSectionSize(22);

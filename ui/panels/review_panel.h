@@ -40,7 +40,7 @@ public:
   };
   ReviewPanel(PlantDocument& document, const Actions& actions, QWidget* parent = nullptr);
 
-  /// @param text  as "Stop 12 of 87"
+  /// @param text  as "12 stops left"
   /// @param why   one should look closely there; empty: nothing is known of it
   void showPlace(const QString& text, const QString& why = {});
   void showSeal(const QString& text);

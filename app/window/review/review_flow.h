@@ -98,6 +98,7 @@ private:
   void requireChosen(const QString& why) const;
   void requireToMark() const;
   void showPlace();
+  [[nodiscard]] QString leftText(const std::vector<ReviewStop>& all) const;
   void refreshEnabled();
 
   Parts parts_;

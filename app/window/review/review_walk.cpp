@@ -107,9 +107,22 @@ void ReviewFlow::chooseOrder(bool isByError) {
     emit noted(tr("Without a scan nothing is known of errors: the walk goes along the plant"));
 }
 
+/// How many stops are to do: those of before change as points and nodes are dealt with.
+QString ReviewFlow::leftText(const std::vector<ReviewStop>& all) const {
+  const auto isToDo = [this](NodeId id) {
+    return parts_.document.skeleton()[id].review.state == ReviewState::toDo;
+  };
+  const auto left = static_cast<std::size_t>(std::ranges::count_if(all, [&](const ReviewStop& one) {
+    return one.isAtPoints() ? !one.isDoubtful : std::ranges::any_of(one.nodes, isToDo);
+  }));
+  return left == 0   ? tr("No stop left")
+         : left == 1 ? tr("1 stop left")
+                     : tr("%1 stops left").arg(formatCount(left));
+}
+
 void ReviewFlow::goTo(const std::vector<ReviewStop>& all, std::size_t index) {
   const ReviewStop& stop = all[index];
-  placeText_ = tr("Stop %1 of %2").arg(formatCount(index + 1), formatCount(all.size()));
+  placeText_ = leftText(all);
   if (stop.isAtPoints())
     placeText_ += tr(": no wood");
   else if (stop.isClean)
@@ -134,7 +147,7 @@ QString ReviewFlow::whyRisky(const ReviewStop& stop) const {
   const QString reasons =
       evidence ? textOfReasons(*evidence, parts_.document.scale().spacing, parts_.document.unit())
                : QString();
-  return reasons.isEmpty() ? reasons : tr("Riskiest part: %1").arg(reasons);
+  return reasons.isEmpty() ? reasons : tr("The riskiest wood of this stop: %1").arg(reasons);
 }
 
 void ReviewFlow::goToPoints(const ReviewStop& stop) {
@@ -239,6 +252,8 @@ void ReviewFlow::goOnAfter(bool wasDoubtful) {
   const ReviewCoverage all = coverage(parts_.document.skeleton());
   const std::size_t nodes = all.nodes[static_cast<std::size_t>(ReviewState::doubtful)];
   const std::vector<ReviewStop> left = stops();
+  placeText_ = leftText(left);
+  showPlace();
   const bool hasPoints = std::ranges::any_of(left, &ReviewStop::isDoubtful);
   if (wasDoubtful || (nodes == 0 && !hasPoints)) return step(WalkTo::notReviewed);
   const QString what = nodes > 1    ? tr("%1 nodes are doubtful").arg(formatCount(nodes))

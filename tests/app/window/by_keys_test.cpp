@@ -290,8 +290,8 @@ TEST_F(ByKeysTest, LeadFromAScanToTheCertificate) {
 
   press(Qt::Key_F9);
   press(Qt::Key_Return);
-  ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return find<QLabel>("review_place").text().startsWith("Stop "); }, patience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("review_place").text().contains(" left"); },
+                              patience));
   for (int stop = 0; stop < 5; ++stop) {
     waitForView();
     const auto before = toReview();

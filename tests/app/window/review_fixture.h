@@ -27,7 +27,7 @@ struct ReviewWindowTest : WindowTest {
     return std::ranges::count(view().nodesInside(QRectF(view().rect()), Depth::through), id) > 0;
   }
   [[nodiscard]] bool waitForStop() {
-    return QTest::qWaitFor([&] { return label("review_place").startsWith("Stop "); }, 20'000);
+    return QTest::qWaitFor([&] { return label("review_place").contains(" left"); }, 20'000);
   }
   QString label(const QString& name) { return find<QLabel>(name).text(); }
   [[nodiscard]] bool waitForLabel(const QString& name, const QString& text) {

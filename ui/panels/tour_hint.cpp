@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMainWindow>
 #include <QPushButton>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -74,7 +75,12 @@ void TourHint::place() {
     at.moveTop(meant.center().y() - height() / 2);
   }
   at.moveLeft(std::clamp(at.left(), 0, std::max(0, parent.width() - width())));
-  at.moveTop(std::clamp(at.top(), 0, std::max(0, parent.height() - height())));
+  // Neither over the menus nor over the hints in the status line, of which it speaks.
+  const auto* window = qobject_cast<const QMainWindow*>(&parent);
+  const QWidget& room =
+      window != nullptr && window->centralWidget() != nullptr ? *window->centralWidget() : parent;
+  const int top = &room == &parent ? 0 : room.mapTo(&parent, QPoint()).y();
+  at.moveTop(std::clamp(at.top(), top, std::max(top, top + room.height() - height())));
   setGeometry(at);
 }
 

@@ -17,6 +17,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
@@ -109,6 +110,13 @@ TEST_F(MainWindowTest, GivesEveryActionANameAndHelpAndNoKeyTwice) {
       EXPECT_TRUE(isNew) << keys.toString().toStdString() << ": " << owner->second.toStdString()
                          << " and " << each->objectName().toStdString();
     }
+  }
+}
+
+TEST_F(MainWindowTest, HasMenusThatFitBelowEachOtherOnASmallScreen) {
+  for (const QAction* each : window().menuBar()->actions()) {
+    constexpr int room = 800 - 60; // of a screen, without the bar of the desktop and the menus
+    EXPECT_LE(each->menu()->sizeHint().height(), room) << each->text().toStdString();
   }
 }
 

@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QPushButton>
 #include <QSettings>
+#include <QStatusBar>
 #include <QTest>
 
 #include <cstdlib>
@@ -55,6 +56,9 @@ TEST_F(TourTest, GoesOnWithWhatOneDoesAndEnds) {
 TEST_F(TourTest, GoesOnByItsButtonAndIsLeftByEscape) {
   open({writeScan("scan.xyz")});
   action("tour").trigger();
+  QTest::qWait(50);
+  EXPECT_LE(hint().geometry().bottom(), window().statusBar()->geometry().top())
+      << "the status line says what the mouse does";
   clickButton("tour_next");
   EXPECT_TRUE(hint().text().contains("F2"));
   clickButton("tour_next");

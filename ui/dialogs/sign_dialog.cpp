@@ -42,6 +42,10 @@ SignDialog::SignDialog(const Seal& draft, LengthUnit unit, const QString& signer
   auto* later = new QLabel(tr("A later edit breaks the seal, and undoing it mends it."), this);
   later->setWordWrap(true);
   later->setProperty("role", "quiet");
+  auto* missing = new QLabel(this); // beside the button: why it is off
+  missing->setObjectName("sign_missing");
+  missing->setProperty("role", "quiet");
+  missing->setAlignment(Qt::AlignRight);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   QPushButton* sign = buttons->addButton(tr("Sign"), QDialogButtonBox::AcceptRole);
   sign->setDefault(true);
@@ -51,10 +55,15 @@ SignDialog::SignDialog(const Seal& draft, LengthUnit unit, const QString& signer
   column->addWidget(statement);
   column->addLayout(form);
   column->addWidget(later);
+  column->addWidget(missing);
   column->addWidget(buttons);
   setMinimumWidth(560);
-  const auto refresh = [this, sign, isOpen] {
-    sign->setEnabled(!this->signer().isEmpty() && (!isOpen || !reason().isEmpty()));
+  const auto refresh = [this, sign, missing, isOpen] {
+    const bool lacksReason = isOpen && reason().isEmpty();
+    missing->setText(lacksReason                ? tr("Type why findings are left to sign")
+                     : this->signer().isEmpty() ? tr("Type your name to sign")
+                                                : QString());
+    sign->setEnabled(missing->text().isEmpty());
   };
   for (QLineEdit* field : {signer_, reason_})
     connect(field, &QLineEdit::textChanged, this, refresh);

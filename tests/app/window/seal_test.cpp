@@ -222,8 +222,11 @@ TEST_F(SealWindowTest, OverOpenFindingsAsksWhyAndKeepsTheAnswer) {
         EXPECT_EQ(dialog.focusWidget(), dialog.findChild<QLineEdit*>("signer"));
         dialog.findChild<QLineEdit*>("signer")->setText("Anna");
         EXPECT_FALSE(signIsOffered(dialog)) << "no reason is given";
+        const auto* missing = dialog.findChild<QLabel*>("sign_missing");
+        EXPECT_EQ(missing->text(), "Type why findings are left to sign");
         dialog.findChild<QLineEdit*>("reason")->setText("a fold that is there");
         EXPECT_TRUE(signIsOffered(dialog));
+        EXPECT_EQ(missing->text(), "");
         dialog.reject();
       },
       [this] { beginToSign(); });

@@ -1,10 +1,15 @@
 #include "app/window/review/finding_remedy.h"
 
+#include "core/skeleton/axes.h"
 #include "core/skeleton/best_successor.h"
+#include "core/skeleton/checks.h"
+#include "core/skeleton/edits.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 namespace espalier {
@@ -21,6 +26,56 @@ bool carryNoOther(const std::vector<NodeId>& nodes, const Skeleton& skeleton) {
       return std::ranges::find(nodes, child) != nodes.end();
     });
   });
+}
+
+/// The axis about a sharp turn, a few nodes each way, with what it bears there left out.
+struct AxisPart {
+  Skeleton part;
+  std::vector<NodeId> nodes; // of the plant, by the ids of the part
+};
+
+AxisPart axisAt(const Skeleton& skeleton, NodeId turn) {
+  constexpr int reach = 6; // nodes: what removing one of them may let turn
+  std::vector<NodeId> nodes = {turn};
+  for (int i = 0; i < reach && skeleton[nodes.front()].parent; ++i)
+    nodes.insert(nodes.begin(), *skeleton[nodes.front()].parent);
+  for (int i = 0; i < reach; ++i) {
+    const std::optional<NodeId> next = nextOnAxis(skeleton, nodes.back());
+    if (!next) break;
+    nodes.push_back(*next);
+  }
+  AxisPart axis{.part = {}, .nodes = nodes};
+  std::optional<NodeId> last;
+  for (const NodeId id : nodes) {
+    Node node = skeleton[id];
+    node.parent = last;
+    node.edge = EdgeType::successor;
+    last = axis.part.add(node);
+  }
+  return axis;
+}
+
+/// The node whose removal mends a turn of an axis: the one that turns, else one beside it, where
+/// the axis does not turn sharply once that is gone. None does: the one that turns.
+NodeId turnsWith(const Finding& finding, const Skeleton& skeleton, double spacing) {
+  const AxisPart axis = axisAt(skeleton, finding.node);
+  const auto mends = [&](NodeId id) {
+    Skeleton without = axis.part;
+    SkeletonEditor editor(without);
+    removeNode(editor, NodeId(static_cast<std::uint32_t>(std::ranges::find(axis.nodes, id) -
+                                                         axis.nodes.begin())));
+    return std::ranges::none_of(check(without, spacing, {}), [](const Finding& one) {
+      return one.kind == Finding::Kind::sharpTurn;
+    });
+  };
+  std::vector<NodeId> candidates = {finding.node};
+  // Beside it only what bears nothing else: its branches would move.
+  const NodeId parent = *skeleton[finding.node].parent;
+  if (skeleton.children(parent).size() == 1) candidates.push_back(parent);
+  const auto next = nextOnAxis(skeleton, finding.node);
+  if (next && skeleton.children(*next).size() <= 1) candidates.push_back(*next);
+  const auto found = std::ranges::find_if(candidates, mends);
+  return found != candidates.end() ? *found : finding.node;
 }
 
 } // namespace
@@ -45,7 +100,8 @@ Remedy remedyOf(const Finding& finding, const Skeleton& skeleton, double spacing
   case Kind::loop:
     return remove;
   case Kind::sharpTurn:
-    return skeleton[finding.node].edge == EdgeType::branching ? attach : remove;
+    if (skeleton[finding.node].edge == EdgeType::branching) return attach;
+    return {remove.action, remove.does, {turnsWith(finding, skeleton, spacing)}};
   case Kind::crossing:
   case Kind::noOwnPoints:
     return attach;

@@ -58,32 +58,15 @@ double widestFitting(std::vector<double> widths, double room) {
   return std::numeric_limits<double>::infinity();
 }
 
-/// As wide as the widest cell; the widest columns of words get narrower where that is too wide.
-std::vector<double> widthsOf(const PdfPages& pages, const ReportTable& table) {
-  std::vector<double> widths;
-  std::vector<double> words;
-  double room = pages.width() - gap * static_cast<double>(table.columns.size() - 1);
-  for (std::size_t column = 0; column < table.columns.size(); ++column) {
-    double width = pages.widthOf(table.columns[column].title, headLook());
-    for (const auto& row : table.rows) {
-      width = std::max(width, pages.widthOf(row[column].text, lookOf(row[column])));
-      if (row[column].bar) width = std::max(width, leastBar);
-    }
-    widths.push_back(width);
-    if (table.columns[column].isNumber)
-      room -= width;
-    else
-      words.push_back(width);
-  }
-  const double widest = widestFitting(std::move(words), room);
-  for (std::size_t column = 0; column < widths.size(); ++column)
-    if (!table.columns[column].isNumber) widths[column] = std::min(widths[column], widest);
-  return widths;
+/// Nothing in it can be wrapped.
+bool isWhole(const ReportTable& table, std::size_t column) {
+  return table.columns[column].isNumber ||
+         std::ranges::any_of(table.rows, [&](const auto& row) { return isHash(row[column].text); });
 }
 
 Layout layoutOf(const PdfPages& pages, const ReportTable& table) {
   Layout layout;
-  layout.widths = widthsOf(pages, table);
+  layout.widths = columnWidths(pages, table);
   if (!table.caption.isEmpty())
     layout.caption = pages.heightOf(table.caption, pages.width(), captionLook()) + 2 * padding;
   for (std::size_t column = 0; column < table.columns.size(); ++column)
@@ -146,6 +129,28 @@ void addRow(PdfPages& pages, const ReportTable& table, const Layout& layout, std
 }
 
 } // namespace
+
+std::vector<double> columnWidths(const PdfPages& pages, const ReportTable& table) {
+  std::vector<double> widths;
+  std::vector<double> words;
+  double room = pages.width() - gap * static_cast<double>(table.columns.size() - 1);
+  for (std::size_t column = 0; column < table.columns.size(); ++column) {
+    double width = pages.widthOf(table.columns[column].title, headLook());
+    for (const auto& row : table.rows) {
+      width = std::max(width, pages.widthOf(row[column].text, lookOf(row[column])));
+      if (row[column].bar) width = std::max(width, leastBar);
+    }
+    widths.push_back(width);
+    if (isWhole(table, column))
+      room -= width;
+    else
+      words.push_back(width);
+  }
+  const double widest = widestFitting(std::move(words), room);
+  for (std::size_t column = 0; column < widths.size(); ++column)
+    if (!isWhole(table, column)) widths[column] = std::min(widths[column], widest);
+  return widths;
+}
 
 double heightOf(const PdfPages& pages, const ReportTable& table) {
   return std::min(layoutOf(pages, table).whole(), pages.height());

@@ -1,5 +1,6 @@
 #include "app/report/html_report.h"
 #include "app/report/pdf_report.h"
+#include "app/report/pdf_table.h"
 #include "app/report/write_report.h"
 #include "core/base/error.h"
 #include "tests/app/report/reported_plants.h"
@@ -155,6 +156,19 @@ Report longTable(int rows) {
   for (int i = 0; i < rows; ++i)
     table.rows.push_back({{QString::number(i)}, {"0.5", 0.5}});
   return {"Long", {}, {{"Table", {std::move(table)}}}};
+}
+
+TEST(PdfReport, CutsNoHash) {
+  const QString hash(64, 'b');
+  ReportTable inputs;
+  inputs.columns = {{"rôle", false}, {"fichier", false}, {"SHA-256", false}};
+  const QString file = "arbre.espalier (empreinte calculée sur la liste des nœuds du projet)";
+  inputs.rows = {{{"structure"}, {file}, {hash}}};
+  const PdfPages pages("Certificat");
+  const std::vector<double> widths = columnWidths(pages, inputs);
+  EXPECT_GE(widths[2], pages.widthOf(hash, {.size = 8.5, .isCode = true}));
+  EXPECT_LT(widths[1], pages.widthOf(file, {.size = 10.5})) << "words are wrapped";
+  EXPECT_LE(widths[0] + widths[1] + widths[2], pages.width());
 }
 
 TEST(PdfReport, GoesOnWithALongTableOnTheNextPage) {

@@ -24,7 +24,8 @@ namespace {
 QString fullText(const QAction& action) {
   const QString own = action.property("inPalette").toString();
   const QString name = action.text().remove('&').remove(QChar(0x2026)).simplified();
-  return action.property("section").toString() + ": " + (own.isEmpty() ? name : own);
+  return CommandPalette::tr("%1: %2").arg(action.property("section").toString(),
+                                          own.isEmpty() ? name : own);
 }
 
 /// What is named as it was typed comes before what does so, and all that before what cannot be done

@@ -7,6 +7,7 @@
 #include "core/skeleton/path_edits.h"
 #include "core/skeleton/propose_child.h"
 #include "core/skeleton/recenter.h"
+#include "ui/document/length_unit.h"
 #include "ui/tools/structure_edits.h"
 
 #include <QCoreApplication>
@@ -224,7 +225,7 @@ QString nodeName(NodeId id) {
 
 QString nodeNames(const std::vector<NodeId>& ids) {
   return ids.size() == 1 ? nodeName(ids.front())
-                         : NodeEditText::tr("%n nodes", nullptr, static_cast<int>(ids.size()));
+                         : NodeEditText::tr("%1 nodes").arg(formatCount(ids.size()));
 }
 
 double sectionReach(const PlantDocument& document, NodeId id) {

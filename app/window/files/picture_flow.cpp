@@ -17,6 +17,7 @@
 namespace espalier {
 
 PictureFlow::PictureFlow(const Parts& parts) : parts_(parts) {
+  parts_.actions.beginSection(tr("File"));
   parts_.actions.add({.id = "save_picture",
                       .text = tr("Save Picture…"),
                       .help = tr("Writes what the view shows as a PNG picture, with twice as many "

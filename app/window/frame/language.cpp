@@ -16,6 +16,9 @@ namespace {
 
 const QStringList languages = {"en", "fr"};
 
+// Qt has a word of its own for this key in French, which is on no keyboard.
+[[maybe_unused]] const char* const namedAnew = QT_TRANSLATE_NOOP("QShortcut", "Backspace");
+
 void install(const QString& file, const QString& folder) {
   auto* translator = new QTranslator(QCoreApplication::instance());
   if (translator->load(file, folder))

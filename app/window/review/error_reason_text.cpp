@@ -81,7 +81,7 @@ QString textOfReasons(const ErrorEvidence& evidence, double spacing, LengthUnit 
   QStringList phrases;
   for (const ErrorReason& reason : reasons)
     if (phrases.size() < static_cast<qsizetype>(most)) phrases.append(text.of(reason.kind));
-  return phrases.join(QStringLiteral("; "));
+  return phrases.join(ErrorReasonText::tr("; "));
 }
 
 } // namespace espalier

@@ -82,6 +82,8 @@ TEST_F(LanguageTest, IsThatOfTheTextsOfQtAndOfDates) {
   EXPECT_EQ(QCoreApplication::translate("espalier::MainWindow", "&File"), "&Fichier");
   EXPECT_EQ(shownText("Contract"), "Contracter");
   EXPECT_EQ(QLocale().toString(QDate(2026, 2, 1), "MMMM"), "février");
+  EXPECT_EQ(QKeySequence(Qt::Key_Backspace).toString(QKeySequence::NativeText), "Retour arrière")
+      << "as on keyboards, and in the manual";
   const QString ofQt = QLibraryInfo::path(QLibraryInfo::TranslationsPath) + "/qtbase_fr.qm";
   if (QFile::exists(ofQt)) {
     EXPECT_EQ(QCoreApplication::translate("QPlatformTheme", "Cancel"), "Annuler");

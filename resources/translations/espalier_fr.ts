@@ -8213,15 +8213,15 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
     <message>
         <source>No stop left</source>
-        <translation>Aucun arrêt ne reste</translation>
+        <translation>Plus aucun arrêt</translation>
     </message>
     <message>
         <source>1 stop left</source>
-        <translation>1 arrêt reste</translation>
+        <translation>Reste 1 arrêt</translation>
     </message>
     <message>
         <source>%1 stops left</source>
-        <translation>%1 arrêts restent</translation>
+        <translation>Reste %1 arrêts</translation>
     </message>
     <message>
         <source>The riskiest wood of this stop: %1</source>

@@ -121,8 +121,8 @@ protected:
     if (!row || panel().suspects()[*row].isDoubt()) return std::nullopt;
     return found().findings()[panel().suspects()[*row].number];
   }
-  /// Lists one kind of findings alone, and goes to the one at this node by F4.
-  void goTo(const QString& kind, NodeId node) {
+  /// Lists one kind of findings alone, and goes by F4 to one that is at one of these nodes.
+  void goTo(const QString& kind, const std::vector<NodeId>& at) {
     ASSERT_TRUE(waitForAll());
     press(Qt::Key_Escape, Qt::ShiftModifier);
     tabBackTo("findings_kind");
@@ -138,9 +138,9 @@ protected:
       const std::optional<Finding> finding = current();
       ASSERT_TRUE(finding);
       const std::vector<NodeId> nodes = nodesOf(*finding);
-      if (std::ranges::find(nodes, node) != nodes.end()) return waitForView();
+      if (std::ranges::find_first_of(nodes, at) != nodes.end()) return waitForView();
     }
-    FAIL() << "no finding of this kind is at node " << indexOf(node);
+    FAIL() << "no finding of this kind is at node " << indexOf(at.front());
   }
   [[nodiscard]] bool isFound(Finding::Kind kind, NodeId node) {
     EXPECT_TRUE(QTest::qWaitFor([this] { return found().isAllChecked(); }, patience));
@@ -251,32 +251,37 @@ TEST_F(ByKeysTest, LeadFromAScanToTheCertificate) {
   plant(at);
 
   press(Qt::Key_F8);
-  goTo("Two successors", at.second);
+  goTo("Two successors", {at.second});
   press(Qt::Key_M, Qt::ShiftModifier);
   EXPECT_EQ(document().skeleton()[at.second].edge, EdgeType::branching);
   EXPECT_FALSE(isFound(Finding::Kind::twoSuccessors, at.second));
   endPart("two successors");
 
-  goTo("Thick on thin", at.thick);
+  goTo("Thick on thin", {at.thick});
   for (int i = 0; i < 10 && isFound(Finding::Kind::radiusAboveParent, at.thick); ++i)
     press(Qt::Key_Q);
   EXPECT_FALSE(isFound(Finding::Kind::radiusAboveParent, at.thick));
   endPart("thick on thin");
 
-  goTo("Sharp turns", at.moved);
+  goTo("Sharp turns", {at.moved});
   press(Qt::Key_Delete);
   EXPECT_FALSE(document().skeleton().contains(at.moved));
   EXPECT_FALSE(isFound(Finding::Kind::sharpTurn, *right[at.moved].parent));
   endPart("sharp turn");
 
-  goTo("Edges off the scan", at.astray);
+  goTo("Edges off the scan", {at.astray});
   press(Qt::Key_P);
   press(Qt::Key_Return); // the nearest wood
   EXPECT_EQ(document().skeleton()[at.astray].parent, right[at.astray].parent);
   EXPECT_EQ(document().skeleton()[at.astray].edge, EdgeType::branching);
   endPart("edges off the scan");
 
-  goTo("Bare twigs", *right[at.cutOff].parent);
+  const NodeId foot = *right[at.cutOff].parent;
+  std::vector<NodeId> nearFoot = right.children(foot); // the finding names the node nearest to it
+  std::erase(nearFoot, at.cutOff);
+  nearFoot.push_back(foot);
+  if (right[foot].parent) nearFoot.push_back(*right[foot].parent);
+  goTo("Bare twigs", nearFoot);
   const std::vector<NodeId> lost = downstream(right, {at.cutOff});
   const double spacing = document().scan()->spacing();
   ASSERT_GT(farthest(right, lost), 20 * spacing);

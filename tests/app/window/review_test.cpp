@@ -308,10 +308,16 @@ TEST_F(ReviewWindowTest, EnterInMidGestureMarksNothing) {
   openFork();
   key(Qt::Key_F9);
   click(placeOf(shoot()));
-  key(Qt::Key_P); // and now the new parent would be clicked
+  key(Qt::Key_P); // and now Enter attaches to the nearest wood
   key(Qt::Key_Return);
-  EXPECT_EQ(markOf(shoot()).state, ReviewState::toDo);
+  EXPECT_EQ(document().undoStack().count(), 1);
+  for (const NodeId id : document().skeleton().ids())
+    EXPECT_EQ(markOf(id).state, ReviewState::toDo);
+  document().undoStack().undo();
+  click(placeOf(shoot()));
+  key(Qt::Key_P);
   key(Qt::Key_Escape);
+  EXPECT_EQ(markOf(shoot()).state, ReviewState::toDo);
   key(Qt::Key_Return);
   EXPECT_EQ(markOf(shoot()).state, ReviewState::reviewed);
 }

@@ -3,6 +3,7 @@
 #include "app/window/review/doubts_flow.h"
 #include "app/window/review/findings_flow.h"
 #include "core/project/project.h"
+#include "core/skeleton/axes.h"
 #include "core/skeleton/edits.h"
 #include "core/skeleton/select.h"
 #include "tests/app/window/window_fixture.h"
@@ -121,8 +122,27 @@ protected:
     if (!row || panel().suspects()[*row].isDoubt()) return std::nullopt;
     return found().findings()[panel().suspects()[*row].number];
   }
-  /// Lists one kind of findings alone, and goes by F4 to one that is at one of these nodes.
-  void goTo(const QString& kind, const std::vector<NodeId>& at) {
+  using IsSought = std::function<bool(const Finding&)>;
+  static IsSought at(NodeId node) {
+    return [node](const Finding& one) {
+      const std::vector<NodeId> nodes = nodesOf(one);
+      return std::ranges::find(nodes, node) != nodes.end();
+    };
+  }
+  /// Of points that lie mostly along these nodes.
+  IsSought ofPointsAlong(const Skeleton& plant, const std::vector<NodeId>& nodes, double near) {
+    return [this, plant, nodes, near](const Finding& one) {
+      const PointCloud& cloud = *document().scan()->cloud();
+      const auto isNear = [&](Eigen::Index point) {
+        return std::ranges::any_of(nodes, [&](NodeId id) {
+          return (cloud.position(point) - plant[id].position).norm() < near;
+        });
+      };
+      return 2 * std::ranges::count_if(one.points, isNear) > std::ssize(one.points);
+    };
+  }
+  /// Lists one kind of findings alone, and goes by F4 to the one that is sought.
+  void goTo(const QString& kind, const IsSought& isSought) {
     ASSERT_TRUE(waitForAll());
     press(Qt::Key_Escape, Qt::ShiftModifier);
     tabBackTo("findings_kind");
@@ -137,10 +157,9 @@ protected:
       press(Qt::Key_F4);
       const std::optional<Finding> finding = current();
       ASSERT_TRUE(finding);
-      const std::vector<NodeId> nodes = nodesOf(*finding);
-      if (std::ranges::find_first_of(nodes, at) != nodes.end()) return waitForView();
+      if (isSought(*finding)) return waitForView();
     }
-    FAIL() << "no finding of this kind is at node " << indexOf(at.front());
+    FAIL() << "no finding of this kind is sought: " << kind.toStdString();
   }
   [[nodiscard]] bool isFound(Finding::Kind kind, NodeId node) {
     EXPECT_TRUE(QTest::qWaitFor([this] { return found().isAllChecked(); }, patience));
@@ -243,48 +262,50 @@ TEST_F(ByKeysTest, LeadFromAScanToTheCertificate) {
   const Skeleton right = document().skeleton();
   const std::vector<NodeId> borne = branches();
   ASSERT_GE(borne.size(), 5U);
-  const Mistakes at{.second = borne[0],
-                    .thick = along(borne[1], 3),
-                    .moved = along(borne[2], 4),
-                    .astray = borne[3],
-                    .cutOff = borne[4]};
-  plant(at);
+  const auto tips = [&](NodeId branch) {
+    return std::ranges::count_if(downstream(right, {branch}),
+                                 [&](NodeId id) { return right.children(id).empty(); });
+  };
+  const Mistakes made{.second = borne[0],
+                      .thick = along(borne[1], 3),
+                      .moved = along(borne[2], 4),
+                      .astray = borne[3],
+                      .cutOff =
+                          *std::ranges::min_element(borne.begin() + 4, borne.end(), {}, tips)};
+  plant(made);
 
   press(Qt::Key_F8);
-  goTo("Two successors", {at.second});
+  goTo("Two successors", at(made.second));
   press(Qt::Key_M, Qt::ShiftModifier);
-  EXPECT_EQ(document().skeleton()[at.second].edge, EdgeType::branching);
-  EXPECT_FALSE(isFound(Finding::Kind::twoSuccessors, at.second));
+  EXPECT_EQ(document().skeleton()[made.second].edge, EdgeType::branching);
+  EXPECT_FALSE(isFound(Finding::Kind::twoSuccessors, made.second));
   endPart("two successors");
 
-  goTo("Thick on thin", {at.thick});
-  for (int i = 0; i < 10 && isFound(Finding::Kind::radiusAboveParent, at.thick); ++i)
+  goTo("Thick on thin", at(made.thick));
+  for (int i = 0; i < 10 && isFound(Finding::Kind::radiusAboveParent, made.thick); ++i)
     press(Qt::Key_Q);
-  EXPECT_FALSE(isFound(Finding::Kind::radiusAboveParent, at.thick));
+  EXPECT_FALSE(isFound(Finding::Kind::radiusAboveParent, made.thick));
   endPart("thick on thin");
 
-  goTo("Sharp turns", {at.moved});
+  goTo("Sharp turns", at(made.moved));
   press(Qt::Key_Delete);
-  EXPECT_FALSE(document().skeleton().contains(at.moved));
-  EXPECT_FALSE(isFound(Finding::Kind::sharpTurn, *right[at.moved].parent));
+  EXPECT_FALSE(document().skeleton().contains(made.moved));
+  EXPECT_FALSE(isFound(Finding::Kind::sharpTurn, *right[made.moved].parent));
   endPart("sharp turn");
 
-  goTo("Edges off the scan", {at.astray});
+  goTo("Edges off the scan", at(made.astray));
   press(Qt::Key_P);
   press(Qt::Key_Return); // the nearest wood
-  EXPECT_EQ(document().skeleton()[at.astray].parent, right[at.astray].parent);
-  EXPECT_EQ(document().skeleton()[at.astray].edge, EdgeType::branching);
+  EXPECT_EQ(document().skeleton()[made.astray].parent, right[made.astray].parent);
+  EXPECT_EQ(document().skeleton()[made.astray].edge, EdgeType::branching);
   endPart("edges off the scan");
 
-  const NodeId foot = *right[at.cutOff].parent;
-  std::vector<NodeId> nearFoot = right.children(foot); // the finding names the node nearest to it
-  std::erase(nearFoot, at.cutOff);
-  nearFoot.push_back(foot);
-  if (right[foot].parent) nearFoot.push_back(*right[foot].parent);
-  goTo("Bare twigs", nearFoot);
-  const std::vector<NodeId> lost = downstream(right, {at.cutOff});
+  std::vector<NodeId> lost = {made.cutOff}; // its axis: what few points show is no finding
+  while (const auto next = nextOnAxis(right, lost.back()))
+    lost.push_back(*next);
   const double spacing = document().scan()->spacing();
   ASSERT_GT(farthest(right, lost), 20 * spacing);
+  goTo("Bare twigs", ofPointsAlong(right, downstream(right, {made.cutOff}), 10 * spacing));
   press(Qt::Key_B, Qt::ControlModifier);
   waitForJob();
   waitForView();
@@ -296,7 +317,8 @@ TEST_F(ByKeysTest, LeadFromAScanToTheCertificate) {
   press(Qt::Key_F9);
   press(Qt::Key_Return);
   ASSERT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("review_place").text().contains(" left"); },
-                              patience));
+                              patience))
+      << find<QLabel>("review_place").text().toStdString();
   for (int stop = 0; stop < 5; ++stop) {
     waitForView();
     const auto before = toReview();

@@ -57,10 +57,10 @@ struct Bridge {
   bool operator==(const Bridge&) const = default;
 };
 
-/// What links between fragments cost.
-class BridgeCosts {
+/// What speaks for links between fragments.
+class BridgeEvidence {
 public:
-  BridgeCosts(const Skeleton& skeleton, const Fragments& fragments, const GapOptions& options)
+  BridgeEvidence(const Skeleton& skeleton, const Fragments& fragments, const GapOptions& options)
       : skeleton_(skeleton), options_(options), outwards_(skeleton.idEnd()),
         backward_(backwardBranches(skeleton, fragments.isEntry)) {
     for (const NodeId id : skeleton.ids())
@@ -73,7 +73,7 @@ public:
 
   [[nodiscard]] bool isEnd(NodeId id) const { return outwards_[indexOf(id)].has_value(); }
 
-  [[nodiscard]] GapEvidence evidenceOf(const Bridge& bridge) const {
+  [[nodiscard]] GapEvidence of(const Bridge& bridge) const {
     const Vector3d link = skeleton_[bridge.to].position - skeleton_[bridge.from].position;
     GapEvidence evidence{.length = link.norm(), .backward = backward_[indexOf(bridge.to)]};
     evidence.cost = options_.backCost * evidence.backward;
@@ -210,13 +210,13 @@ private:
 /// The links between each two fragments that are in reach.
 std::map<std::pair<std::uint32_t, std::uint32_t>, BestBridges>
 bridgesOf(const Skeleton& skeleton, const Fragments& fragments, const GapOptions& options,
-          const BridgeCosts& costs, const NodePlaces& places, const Progress& progress) {
+          const BridgeEvidence& evidence, const NodePlaces& places, const Progress& progress) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, BestBridges> bridges;
   const auto note = [&](const Bridge& bridge) {
     const std::uint32_t from = fragments.ofNode[indexOf(bridge.from)];
     const std::uint32_t to = fragments.ofNode[indexOf(bridge.to)];
     if (from == to) return;
-    const auto measures = measuresOf(costs.evidenceOf(bridge));
+    const auto measures = measuresOf(evidence.of(bridge));
     const auto [place, isNew] = bridges.try_emplace({from, to});
     BestBridges& best = place->second;
     for (std::size_t i = 0; i < BestBridges::measures; ++i)
@@ -233,7 +233,7 @@ bridgesOf(const Skeleton& skeleton, const Fragments& fragments, const GapOptions
     const std::uint32_t fragment = fragments.ofNode[indexOf(to)];
     const NodeId entry = fragments.entries[fragment];
     if (!skeleton[entry].parent) continue; // that of a root stays as it is
-    if (to != entry && !costs.isEnd(to)) continue;
+    if (to != entry && !evidence.isEnd(to)) continue;
     if (to == entry) note({*skeleton[to].parent, to});
     places.within(skeleton[to].position, options.reach, [&](NodeId from) { note({from, to}); });
   }
@@ -241,11 +241,12 @@ bridgesOf(const Skeleton& skeleton, const Fragments& fragments, const GapOptions
 }
 
 /// The share of the middle of a link that nodes are near of wood that it does not join.
+/// @param farthest  [L] that any link reaches
 double passesOf(const Skeleton& skeleton, const Fragments& fragments, const NodePlaces& places,
-                const Bridge& bridge, double widest) {
+                const Bridge& bridge, double farthest) {
   const Vector3d& from = skeleton[bridge.from].position;
   const Vector3d span = skeleton[bridge.to].position - from;
-  const double near = std::min(span.norm() / 4, widest / 2);
+  const double near = std::min(span.norm() / 4, farthest / 20);
   const std::uint32_t bearer = fragments.ofNode[indexOf(bridge.from)];
   const std::uint32_t borne = fragments.ofNode[indexOf(bridge.to)];
   constexpr std::array<double, 4> shares = {0.3, 0.45, 0.6, 0.75};
@@ -281,15 +282,15 @@ Gaps gapsIn(const Skeleton& skeleton, const GapOptions& options, const Progress&
   if (skeleton.isEmpty()) return gaps;
   Fragments fragments = fragmentsOf(skeleton, options.widest);
   if (fragments.entries.size() > 1) {
-    const BridgeCosts costs(skeleton, fragments, options);
+    const BridgeEvidence evidence(skeleton, fragments, options);
     const NodePlaces places(skeleton);
     for (const auto& [pair, best] :
-         bridgesOf(skeleton, fragments, options, costs, places, progress)) {
+         bridgesOf(skeleton, fragments, options, evidence, places, progress)) {
       for (const Bridge& bridge : best.distinct()) {
-        GapLink link{bridge.from, bridge.to, pair.first, pair.second, costs.evidenceOf(bridge)};
+        GapLink link{bridge.from, bridge.to, pair.first, pair.second, evidence.of(bridge)};
         link.evidence.isThere = best.there == bridge;
         link.evidence.nodes = fragments.nodes[pair.first];
-        link.evidence.passes = passesOf(skeleton, fragments, places, bridge, options.widest);
+        link.evidence.passes = passesOf(skeleton, fragments, places, bridge, options.reach);
         gaps.links.push_back(link);
       }
     }

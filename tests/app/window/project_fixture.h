@@ -17,6 +17,16 @@ struct ProjectWindowTest : WindowTest {
   void setRadius(double radius) {
     document().edit("Radius", [=](SkeletonEditor& editor) { editor.setRadius(forkTop, radius); });
   }
+  /// Of which a node is thicker than its parent, in a file that has it so.
+  QString openWithAFinding() {
+    QString file = writeFork("fork.mtg");
+    open({file});
+    document().edit("Thicker", [](SkeletonEditor& editor) {
+      editor.setRadius(editor.skeleton().children(forkTop).front(), 0.9);
+    });
+    key(Qt::Key_S, Qt::ControlModifier);
+    return file;
+  }
   QString saveProject(const QString& name) {
     const QString file = path(name);
     answer(chooseFile(file), [this] { action("save_project_as").trigger(); });

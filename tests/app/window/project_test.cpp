@@ -159,12 +159,7 @@ TEST_F(ProjectWindowTest, KeepsAReviewThatTheFileCannotHold) {
 
 // Of a plant that nobody has edited, too.
 TEST_F(ProjectWindowTest, KeepsWhatIsIgnoredOfAPlantInNoProject) {
-  const QString file = writeFork("fork.mtg");
-  open({file});
-  document().edit("Thicker", [](SkeletonEditor& editor) {
-    editor.setRadius(editor.skeleton().children(forkTop).front(), 0.9);
-  });
-  key(Qt::Key_S, Qt::ControlModifier);
+  const QString file = openWithAFinding();
   restart();
   EXPECT_TRUE(sessionFiles().isEmpty());
   open({file});
@@ -188,12 +183,7 @@ TEST_F(ProjectWindowTest, KeepsWhatIsIgnoredOfAPlantInNoProject) {
 }
 
 TEST_F(ProjectWindowTest, LeavesNoSessionBehindOfWhatIsIgnoredNoMore) {
-  const QString file = writeFork("fork.mtg");
-  open({file});
-  document().edit("Thicker", [](SkeletonEditor& editor) {
-    editor.setRadius(editor.skeleton().children(forkTop).front(), 0.9);
-  });
-  key(Qt::Key_S, Qt::ControlModifier);
+  const QString file = openWithAFinding();
   key(Qt::Key_F8);
   key(Qt::Key_F4);
   key(Qt::Key_F4, Qt::ControlModifier);

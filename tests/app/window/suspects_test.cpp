@@ -1,113 +1,20 @@
 // One list of all that may be wrong: findings of the checks and doubts.
-#include "app/window/review/doubts_flow.h"
-#include "app/window/review/findings_flow.h"
-#include "core/skeleton/edits.h"
 #include "core/skeleton/select.h"
-#include "tests/app/window/window_fixture.h"
-#include "tests/support/shared_data.h"
+#include "tests/app/window/suspects_fixture.h"
 #include "ui/document/doubt_text.h"
-#include "ui/document/plant_document.h"
 #include "ui/panels/message_banner.h"
-#include "ui/panels/suspects_panel.h"
 
-#include <QAction>
-#include <QApplication>
-#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
-#include <QScrollBar>
-#include <QStyleHints>
-#include <QTest>
 #include <QToolButton>
 #include <QTreeView>
 
-#include <algorithm>
 #include <functional>
-#include <set>
 
 namespace espalier {
 namespace {
 
-/// A plant with findings of several kinds, and doubts.
-class SuspectsTest : public test::WindowTest {
-protected:
-  void SetUp() override {
-    test::WindowTest::SetUp();
-    window().resize(1280, 800);
-    open({QString::fromStdString(
-        (test::sourceFolder() / "resources/samples/young_tree.ply").string())});
-    action("reconstruct").trigger();
-    waitForJob();
-    const Skeleton plant = document().skeleton();
-    document().edit("Thicker", [&](SkeletonEditor& editor) {
-      int left = 3;
-      for (const NodeId id : plant.ids())
-        if (plant[id].parent && plant.children(id).empty() && left-- > 0)
-          editor.setRadius(id, 2 * plant[*plant[id].parent].radius);
-    });
-    key(Qt::Key_F8);
-    ASSERT_TRUE(waitForAll());
-    ASSERT_GE(findings().size(), 3U);
-    ASSERT_GE(doubts().size(), 3U);
-  }
-  [[nodiscard]] bool waitForAll() {
-    return QTest::qWaitFor(
-        [this] {
-          return window().part<FindingsFlow>().isAllChecked() &&
-                 window().part<DoubtsFlow>().isKnown() && !window().part<DoubtsFlow>().isBusy();
-        },
-        20'000);
-  }
-  const std::vector<Finding>& findings() { return window().part<FindingsFlow>().findings(); }
-  const std::vector<Doubt>& doubts() { return window().part<DoubtsFlow>().doubts(); }
-  SuspectsPanel& panel() { return find<SuspectsPanel>("findings_panel"); }
-  const std::vector<Suspect>& rows() { return panel().suspects(); }
-  QComboBox& kinds() { return find<QComboBox>("findings_kind"); }
-  QComboBox& places() { return find<QComboBox>("findings_place"); }
-  static void choose(QComboBox& box, const QString& text) {
-    const int at = box.findText(text, Qt::MatchStartsWith);
-    ASSERT_GE(at, 0) << text.toStdString();
-    box.setCurrentIndex(at);
-    emit box.activated(at);
-  }
-  void go(std::size_t row) {
-    panel().setCurrent(row);
-    emit panel().chosen(row);
-  }
-  std::size_t first(bool isDoubt) {
-    return static_cast<std::size_t>(std::ranges::find(rows(), isDoubt, &Suspect::isDoubt) -
-                                    rows().begin());
-  }
-  /// Each doubt is a row, and each finding but bare twigs that a doubt is about, too.
-  void expectAllListed() {
-    std::set<std::size_t> listed;
-    std::set<std::size_t> withADoubt;
-    std::size_t doubtRows = 0;
-    for (const Suspect& row : rows()) {
-      if (!row.isDoubt()) {
-        listed.insert(row.number);
-      } else {
-        ++doubtRows;
-        if (row.twin) withADoubt.insert(*row.twin);
-      }
-    }
-    EXPECT_EQ(doubtRows, doubts().size());
-    EXPECT_EQ(rows().size(), doubtRows + listed.size());
-    for (std::size_t i = 0; i < findings().size(); ++i)
-      if (!listed.contains(i)) {
-        EXPECT_EQ(findings()[i].kind, Finding::Kind::unexplainedPoints) << i;
-      } else {
-        EXPECT_FALSE(withADoubt.contains(i)) << i;
-      }
-    EXPECT_GE(findings().size() - listed.size(), withADoubt.size()); // one may be about several
-  }
-  bool isAsked() { return action("answer_1").isEnabled(); }
-  std::vector<NodeId> nodesOfRow(const Suspect& row) {
-    if (!row.isDoubt()) return nodesOf(findings()[row.number]);
-    const Doubt& doubt = doubts()[row.number];
-    return doubt.nodes.empty() ? std::vector<NodeId>{doubt.node} : doubt.nodes;
-  }
-};
+using test::SuspectsTest;
 
 TEST_F(SuspectsTest, HasAllFindingsAndDoubtsByTheirGain) {
   expectAllListed();
@@ -416,90 +323,6 @@ TEST_F(SuspectsTest, TheAnswerThatNoneIsRightBeginsWithItsKey) {
   EXPECT_EQ((*button)->text(), "9  None of These");
 }
 
-// A question comes up at once: the second click must not land on one of its answers.
-TEST_F(SuspectsTest, ADoubleClickOnADoubtAnswersNothing) {
-  auto& list = find<QTreeView>("findings_list");
-  const auto clickOn = [&](const QPoint& place) { // wherever that is by then
-    QWidget* under = panel().childAt(panel().mapFromGlobal(place));
-    if (under == nullptr) under = &panel();
-    QTest::mouseClick(under, Qt::LeftButton, {}, under->mapFromGlobal(place));
-  };
-  const int steps = document().undoStack().index();
-  const std::size_t all = doubts().size();
-  int clicked = 0;
-  for (std::size_t row = 0; row < rows().size(); ++row) {
-    const QRect box = list.visualRect(list.model()->index(static_cast<int>(row), 0));
-    if (!rows()[row].isDoubt() || !list.viewport()->rect().contains(box)) continue;
-    const QPoint place = list.viewport()->mapToGlobal(box.center());
-    clickOn(place);
-    ASSERT_TRUE(isAsked());
-    QApplication::processEvents(); // the question takes its place
-    clickOn(place);
-    EXPECT_EQ(document().undoStack().index(), steps);
-    ++clicked;
-    key(Qt::Key_Escape);
-    QTest::qWait(QGuiApplication::styleHints()->mouseDoubleClickInterval());
-  }
-  EXPECT_GE(clicked, 2);
-  EXPECT_EQ(doubts().size(), all);
-}
-
-// However quickly one goes through them, and a question is among them.
-TEST_F(SuspectsTest, ClicksOnTheArrowGoOnAndAnswerNothing) {
-  auto& button = find<QWidget>("findings_next");
-  const QPoint next = button.mapToGlobal(button.rect().center());
-  const int steps = document().undoStack().index();
-  bool wasAsked = false;
-  for (std::size_t i = 0; i < rows().size(); ++i) {
-    QWidget* under = window().childAt(window().mapFromGlobal(next));
-    ASSERT_NE(under, nullptr);
-    QTest::mouseClick(under, Qt::LeftButton, {}, under->mapFromGlobal(next));
-    QApplication::processEvents();
-    EXPECT_EQ(panel().current(), i);
-    wasAsked = wasAsked || isAsked();
-  }
-  EXPECT_TRUE(wasAsked);
-  EXPECT_EQ(document().undoStack().index(), steps);
-}
-
-// The expected agreement and what is being looked for are known later.
-TEST_F(SuspectsTest, WhatIsKnownLaterMovesNothingUnderThePointer) {
-  const QString text = QString("Known a little later. ").repeated(9);
-  const auto places = [&] {
-    QApplication::processEvents();
-    std::vector<QRect> all;
-    for (const char* name : {"findings_kind", "findings_place", "findings_next", "findings_ignore"})
-      all.emplace_back(find<QWidget>(name).mapTo(&window(), QPoint()), find<QWidget>(name).size());
-    auto& list = find<QTreeView>("findings_list");
-    all.emplace_back(list.viewport()->mapTo(&window(), QPoint()),
-                     QSize(0, list.visualRect(list.model()->index(0, 0)).height()));
-    return all;
-  };
-  panel().showAgreement({}, true);
-  panel().showNote({});
-  const auto before = places();
-  panel().showAgreement(text, true);
-  EXPECT_EQ(places(), before);
-  panel().showNote(text);
-  EXPECT_EQ(places(), before);
-  go(first(true)); // a question comes up
-  EXPECT_EQ(places(), before);
-}
-
-TEST_F(SuspectsTest, TheListStaysInPlaceWhereNothingIsOfItsKind) {
-  choose(kinds(), "Thick on thin");
-  const auto& list = find<QTreeView>("findings_list");
-  const auto listUnderFields = [&] {
-    QApplication::processEvents();
-    return list.mapTo(&panel(), QPoint()).y() - kinds().mapTo(&panel(), QPoint()).y();
-  };
-  const int before = listUnderFields();
-  document().undoStack().undo(); // nothing is thick on thin now
-  ASSERT_TRUE(QTest::qWaitFor([&] { return rows().empty(); }, 20'000));
-  EXPECT_TRUE(list.isVisible());
-  EXPECT_EQ(listUnderFields(), before);
-}
-
 // A missing branch is asked about where the checks find points that no wood explains.
 TEST_F(SuspectsTest, DoubtsFollowTheSensitivityOfTheChecks) {
   const auto missing = [&] {
@@ -510,14 +333,6 @@ TEST_F(SuspectsTest, DoubtsFollowTheSensitivityOfTheChecks) {
   EXPECT_TRUE(window().part<DoubtsFlow>().isBusy());
   ASSERT_TRUE(waitForAll());
   EXPECT_GT(missing(), before);
-}
-
-TEST_F(SuspectsTest, AnotherKindIsShownFromItsFirstRow) {
-  auto& list = find<QTreeView>("findings_list");
-  list.scrollToBottom();
-  ASSERT_GT(list.verticalScrollBar()->value(), 0);
-  choose(places(), "Whole plant");
-  EXPECT_EQ(list.verticalScrollBar()->value(), 0);
 }
 
 TEST_F(SuspectsTest, BothKeysShowAndHideTheList) {

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "app/window/review/doubts_flow.h"
+#include "app/window/review/findings_flow.h"
+#include "core/skeleton/edits.h"
+#include "tests/app/window/window_fixture.h"
+#include "tests/support/shared_data.h"
+#include "ui/document/plant_document.h"
+#include "ui/panels/suspects_panel.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QTest>
+
+#include <algorithm>
+#include <set>
+
+namespace espalier::test {
+
+/// A plant with findings of several kinds, and doubts.
+class SuspectsTest : public WindowTest {
+protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    window().resize(1280, 800);
+    open({QString::fromStdString((sourceFolder() / "resources/samples/young_tree.ply").string())});
+    action("reconstruct").trigger();
+    waitForJob();
+    const Skeleton plant = document().skeleton();
+    document().edit("Thicker", [&](SkeletonEditor& editor) {
+      int left = 3;
+      for (const NodeId id : plant.ids())
+        if (plant[id].parent && plant.children(id).empty() && left-- > 0)
+          editor.setRadius(id, 2 * plant[*plant[id].parent].radius);
+    });
+    key(Qt::Key_F8);
+    ASSERT_TRUE(waitForAll());
+    ASSERT_GE(findings().size(), 3U);
+    ASSERT_GE(doubts().size(), 3U);
+  }
+  [[nodiscard]] bool waitForAll() {
+    return QTest::qWaitFor(
+        [this] {
+          return window().part<FindingsFlow>().isAllChecked() &&
+                 window().part<DoubtsFlow>().isKnown() && !window().part<DoubtsFlow>().isBusy();
+        },
+        20'000);
+  }
+  const std::vector<Finding>& findings() { return window().part<FindingsFlow>().findings(); }
+  const std::vector<Doubt>& doubts() { return window().part<DoubtsFlow>().doubts(); }
+  SuspectsPanel& panel() { return find<SuspectsPanel>("findings_panel"); }
+  const std::vector<Suspect>& rows() { return panel().suspects(); }
+  QComboBox& kinds() { return find<QComboBox>("findings_kind"); }
+  QComboBox& places() { return find<QComboBox>("findings_place"); }
+  static void choose(QComboBox& box, const QString& text) {
+    const int at = box.findText(text, Qt::MatchStartsWith);
+    ASSERT_GE(at, 0) << text.toStdString();
+    box.setCurrentIndex(at);
+    emit box.activated(at);
+  }
+  void go(std::size_t row) {
+    panel().setCurrent(row);
+    emit panel().chosen(row);
+  }
+  std::size_t first(bool isDoubt) {
+    return static_cast<std::size_t>(std::ranges::find(rows(), isDoubt, &Suspect::isDoubt) -
+                                    rows().begin());
+  }
+  /// Each doubt is a row, and each finding but bare twigs that a doubt is about, too.
+  void expectAllListed() {
+    std::set<std::size_t> listed;
+    std::set<std::size_t> withADoubt;
+    std::size_t doubtRows = 0;
+    for (const Suspect& row : rows()) {
+      if (!row.isDoubt()) {
+        listed.insert(row.number);
+      } else {
+        ++doubtRows;
+        if (row.twin) withADoubt.insert(*row.twin);
+      }
+    }
+    EXPECT_EQ(doubtRows, doubts().size());
+    EXPECT_EQ(rows().size(), doubtRows + listed.size());
+    for (std::size_t i = 0; i < findings().size(); ++i)
+      if (!listed.contains(i)) {
+        EXPECT_EQ(findings()[i].kind, Finding::Kind::unexplainedPoints) << i;
+      } else {
+        EXPECT_FALSE(withADoubt.contains(i)) << i;
+      }
+    EXPECT_GE(findings().size() - listed.size(), withADoubt.size()); // one may be about several
+  }
+  bool isAsked() { return action("answer_1").isEnabled(); }
+  std::vector<NodeId> nodesOfRow(const Suspect& row) {
+    if (!row.isDoubt()) return nodesOf(findings()[row.number]);
+    const Doubt& doubt = doubts()[row.number];
+    return doubt.nodes.empty() ? std::vector<NodeId>{doubt.node} : doubt.nodes;
+  }
+};
+
+} // namespace espalier::test

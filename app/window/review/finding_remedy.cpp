@@ -28,7 +28,7 @@ bool carryNoOther(const std::vector<NodeId>& nodes, const Skeleton& skeleton) {
   });
 }
 
-/// The axis about a sharp turn, a few nodes each way, with what it bears there left out.
+/// The axis about a sharp turn, a few nodes on either side, with what it bears there left out.
 struct AxisPart {
   Skeleton part;
   std::vector<NodeId> nodes; // of the plant, by the ids of the part

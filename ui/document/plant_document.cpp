@@ -315,10 +315,10 @@ void PlantDocument::openSkeleton(Skeleton skeleton, const QString& path) {
 
 void PlantDocument::openStructure(Structure structure, const QString& path) {
   selection_.clear();
+  undoStack_.clear(); // of the skeleton that is there still: who hears of it may look at both
   structure_ = std::move(structure);
   filePath_ = path;
   opened_ = 0;
-  undoStack_.clear();
   emit skeletonReplaced();
   emit titleChanged();
 }

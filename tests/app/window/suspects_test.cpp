@@ -228,6 +228,22 @@ TEST_F(SuspectsTest, ADoubtThatIsIgnoredIsNotAskedUntilItIsShownAgain) {
   EXPECT_TRUE(kinds().currentText().startsWith("All kinds"));
 }
 
+// Its answers go with the history, and with them the order of the list, whose findings are of the
+// plant before until all is listed anew.
+TEST_F(SuspectsTest, AnotherStructureIsOpenedWhereADoubtIsAnswered) {
+  go(first(true));
+  key(Qt::Key_1);
+  key(Qt::Key_Escape);
+  ASSERT_TRUE(waitForAll());
+  ASSERT_FALSE(window().part<DoubtsFlow>().kept().empty());
+  open({writeFork("fork.mtg")});
+  ASSERT_TRUE(waitForAll());
+  expectAllListed();
+  for (const Finding& finding : findings())
+    for (const NodeId id : nodesOf(finding))
+      EXPECT_TRUE(document().skeleton().contains(id));
+}
+
 TEST_F(SuspectsTest, AnsweringAnIgnoredDoubtIsAnAnswer) {
   go(first(true));
   const Doubt doubt = doubts()[rows()[first(true)].number];

@@ -24,6 +24,19 @@ int decimalsFor(const Option& option, double size) {
   return std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
 }
 
+/// Sets the range of the field to those of its values that are in this one: a field rounds the ends
+/// of its range as it does its value.
+void setRangeWithin(QDoubleSpinBox& number, double minimum, double maximum) {
+  const double unit = std::pow(10, -number.decimals());
+  const double slack = 1e-6; // of a digit: ends that are values stay
+  const double least = std::ceil(minimum / unit - slack) * unit;
+  const double most = std::floor(maximum / unit + slack) * unit;
+  if (least <= most)
+    number.setRange(least, most);
+  else
+    number.setRange(minimum, maximum);
+}
+
 } // namespace
 
 void dress(QDoubleSpinBox& number, const Option& option, const PlantScale& scale,
@@ -34,7 +47,7 @@ void dress(QDoubleSpinBox& number, const Option& option, const PlantScale& scale
                          : option.kind == OptionKind::length ? unit
                                                              : QString();
   number.setDecimals(decimalsFor(option, standard > 0 ? standard : maximum / 100));
-  number.setRange(minimum, maximum);
+  setRangeWithin(number, minimum, maximum);
   number.setSuffix(suffix.isEmpty() || suffix == "°" ? suffix : QChar(0x202f) + suffix);
   number.setSingleStep(option.kind == OptionKind::count ? 1 : std::max(standard, minimum) / 10);
 }

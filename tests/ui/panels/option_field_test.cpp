@@ -90,5 +90,29 @@ TEST(OptionField, OfANumberFollowsTheScaleOfThePlant) {
   EXPECT_EQ(form.field->chosen(), fixedAt(20)) << "no farther than the range of this plant";
 }
 
+// A field rounds the ends of its range, too: 60 spacings of 0.00491303 would be 0.2948.
+TEST(OptionField, OfANumberTakesNoValueThatIsRoundedOutOfItsRange) {
+  Form form({.name = "reach",
+             .label = "Reach",
+             .kind = OptionKind::length,
+             .rule = spacings(4),
+             .minimum = 1,
+             .maximum = 60,
+             .help = "How far."});
+  const PlantScale scale{.spacing = 0.00491303, .height = 2};
+  form.field->setScale(scale, "m");
+  auto& number = *form.widget.findChild<QDoubleSpinBox*>("reach");
+  const auto chosen = [&] { return form.field->chosen()->value(scale); };
+  for (const double beyond : {1.0, 0.294782}) {
+    number.setValue(0.1);
+    number.setValue(beyond);
+    EXPECT_LE(chosen(), 60 * scale.spacing);
+    EXPECT_NEAR(chosen(), 60 * scale.spacing, 1e-4);
+  }
+  number.setValue(0);
+  EXPECT_GE(chosen(), scale.spacing);
+  EXPECT_NEAR(chosen(), scale.spacing, 1e-4);
+}
+
 } // namespace
 } // namespace espalier

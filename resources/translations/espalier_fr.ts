@@ -13607,6 +13607,10 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <source>New branch from points</source>
         <translation>Nouvelle branche à partir des points</translation>
     </message>
+    <message>
+        <source>The plant was edited meanwhile: regrow the branch again</source>
+        <translation>La plante a été modifiée entre-temps&#xa0;: reconstruisez la branche à nouveau</translation>
+    </message>
 </context>
 <context>
     <name>espalier::TraceTool</name>

@@ -78,9 +78,8 @@ QString RegrowTool::branchesHint() const {
 QString RegrowTool::hint() const {
   if (!branches_.empty()) return branchesHint();
   if (!node_) return tr("Click a node: what it carries is reconstructed again");
-  const std::size_t carried = downstream(document().skeleton(), {*node_}).size() - 1;
   return tr("%1 for the %2 that %3 carries   %4")
-      .arg(nodesText(newNodes()), formatCount(carried), nodeName(*node_), walkHint());
+      .arg(nodesText(newNodes()), formatCount(carried_), nodeName(*node_), walkHint());
 }
 
 std::optional<std::size_t> RegrowTool::current() const {
@@ -190,6 +189,7 @@ void RegrowTool::startWith(const std::vector<NodeId>& nodes) {
 void RegrowTool::show(NodeId node, const Skeleton& part) {
   clear();
   node_ = node;
+  carried_ = downstream(document().skeleton(), {node}).size() - 1;
   part_ = part;
   std::vector<std::size_t> proposalOf(part.idEnd(), 0);
   for (const Axis& axis : axes(part)) { // carriers first

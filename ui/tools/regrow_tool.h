@@ -5,6 +5,7 @@
 
 #include <QPointF>
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,7 @@ public:
   void cancel() override;
   void startWith(const std::vector<NodeId>& nodes) override;
 
+  /// @param node  of the document
   /// @param part  a tree; its root stands for `node`
   void show(NodeId node, const Skeleton& part);
   /// @param text  of the step that adds them
@@ -82,6 +84,7 @@ private:
   [[nodiscard]] QString branchesHint() const;
 
   std::optional<NodeId> node_; // to carry the part, while that is shown
+  std::size_t carried_ = 0;    // by it when the part was shown
   Skeleton part_;
   std::vector<GrownBranch> branches_; // to choose from, the longest first
   std::vector<Proposal> proposals_;   // as many as branches_, or as part_ has axes

@@ -16,6 +16,7 @@
 #include <QAction>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace espalier {
@@ -231,13 +232,17 @@ PipelineOptions TraceFlow::options() const {
 
 void TraceFlow::regrow(NodeId node) {
   requireWork();
-  const auto grow = [skeleton = parts_.document.skeleton(), node,
-                     cloud = parts_.document.scan()->cloud(),
+  const auto before = std::make_shared<const Skeleton>(parts_.document.skeleton());
+  const auto grow = [before, node, cloud = parts_.document.scan()->cloud(),
                      options = options()](const Progress& progress) {
-    return regrown(skeleton, node, cloud, {.pipeline = options}, progress);
+    return regrown(*before, node, cloud, {.pipeline = options}, progress);
   };
-  parts_.jobs.start(tr("Regrowing"), grow, [this, node](const Skeleton& part) {
-    parts_.jobs.afterwards([this, node, part] {
+  parts_.jobs.start(tr("Regrowing"), grow, [this, node, before](const Skeleton& part) {
+    parts_.jobs.afterwards([this, node, before, part] {
+      if (parts_.document.skeleton() != *before) {
+        emit noted(tr("The plant was edited meanwhile: regrow the branch again"));
+        return;
+      }
       parts_.editing.useTool("regrow",
                              false); // a job drops the preview before, and with it the tool
       regrow_->show(node, part);

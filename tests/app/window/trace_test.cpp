@@ -154,6 +154,36 @@ TEST_F(TraceWindowTest, RegrowsWhatANodeCarries) {
   expectUndone();
 }
 
+TEST_F(TraceWindowTest, ProposesNothingForAPlantThatWasEditedMeanwhile) {
+  hover(atNode(0.75));
+  key(Qt::Key_N, Qt::ShiftModifier);
+  ASSERT_TRUE(window().jobs().isBusy());
+  document().edit("Cut", [&](SkeletonEditor& editor) {
+    for (const NodeId id : before_.ids())
+      if (before_[id].position.z() > 0.6 && editor.skeleton().contains(id))
+        removeSubtree(editor, id);
+  });
+  const Skeleton cut = document().skeleton();
+  waitForJob();
+  EXPECT_TRUE(window().statusLine().shownText().startsWith("The plant was edited meanwhile"));
+  EXPECT_FALSE(action("accept").isEnabled());
+  EXPECT_EQ(document().skeleton(), cut);
+}
+
+TEST_F(TraceWindowTest, SaysThatTheNodeIsGoneWhichWasToCarryWhatIsProposed) {
+  hover(atNode(0.75));
+  key(Qt::Key_N, Qt::ShiftModifier);
+  waitForJob();
+  ASSERT_TRUE(waitForPreview());
+  document().edit("Cut", [&](SkeletonEditor& editor) {
+    removeSubtree(editor, nodeAt({0, 0, 0.75}));
+  });
+  const Skeleton cut = document().skeleton();
+  key(Qt::Key_Return);
+  EXPECT_EQ(window().statusLine().shownText(), "The node is gone: choose another one");
+  EXPECT_EQ(document().skeleton(), cut);
+}
+
 TEST_F(TraceWindowTest, RegrowsFromAnotherNodeThatIsClickedInstead) {
   hover(atNode(0.75));
   key(Qt::Key_N, Qt::ShiftModifier);

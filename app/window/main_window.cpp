@@ -84,7 +84,9 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-  hide();                                 // or its last events reach panels whose plant is gone
+  hide(); // or its last events reach panels whose plant is gone
+  for (QDockWidget* dock : findChildren<QDockWidget*>())
+    dock->hide();                         // those that are windows of their own stay otherwise
   document_.undoStack().disconnect(this); // it clears itself when the parts are gone
 }
 

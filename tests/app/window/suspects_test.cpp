@@ -4,6 +4,8 @@
 #include "ui/document/doubt_text.h"
 #include "ui/panels/message_banner.h"
 
+#include <QApplication>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QToolButton>
@@ -349,6 +351,16 @@ TEST_F(SuspectsTest, DoubtsFollowTheSensitivityOfTheChecks) {
   EXPECT_TRUE(window().part<DoubtsFlow>().isBusy());
   ASSERT_TRUE(waitForAll());
   EXPECT_GT(missing(), before);
+}
+
+TEST_F(SuspectsTest, TheWindowClosesWhileTheListIsAWindowOfItsOwn) {
+  auto& dock = find<QDockWidget>("findings");
+  dock.setFloating(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return dock.isVisible() && dock.isWindow(); }));
+  dock.resize(400, 500);
+  QApplication::processEvents();
+  restart();
+  EXPECT_TRUE(document().isEmpty());
 }
 
 TEST_F(SuspectsTest, BothKeysShowAndHideTheList) {

@@ -38,6 +38,7 @@ struct NodeEdit {
   std::function<void(PlantDocument&, const NodeTarget&)> apply;
   QString menu = {};         // it stands in a menu of this name within the menu
   bool isOfSelected = false; // wherever the pointer is
+  bool takesEdge = false;    // under the pointer; others need a node
 };
 
 /// All of them, in the order of the menu; the keys are PlantScan3D's where it has them.

@@ -126,9 +126,14 @@ std::vector<NodeId> meantToResample(const Skeleton& skeleton, const std::vector<
 std::vector<NodeEdit> treeEdits() {
   const QString menu = StructureEditText::tr("&Tree");
   return {
-      {"cut_off", StructureEditText::tr("Cut Off"),
-       StructureEditText::tr("What the node carries becomes a tree of its own"), "cut", Qt::Key_X,
-       cut, menu},
+      {.id = "cut_off",
+       .text = StructureEditText::tr("Cut Off"),
+       .help = StructureEditText::tr("What the node carries becomes a tree of its own"),
+       .icon = "cut",
+       .shortcut = Qt::Key_X,
+       .apply = cut,
+       .menu = menu,
+       .takesEdge = true},
       {"join", StructureEditText::tr("Join"),
        StructureEditText::tr(
            "Attaches the tree of the node to the nearest other, or to the last node selected"),

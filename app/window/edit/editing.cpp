@@ -384,9 +384,9 @@ void Editing::refreshEnabled() {
   emit hintChanged();
 }
 
-NodeTarget Editing::chosenTarget() {
+NodeTarget Editing::chosenTarget(bool takesEdge) {
   NodeTarget meant = target();
-  if (meant.nodes.empty() && !meant.edge) {
+  if (meant.nodes.empty() && !(takesEdge && meant.edge)) {
     document_.requireEditable(); // of what is drawn instead of the plant, no node can be meant
     throw Error(tr("put the pointer on a node, or select one").toStdString());
   }
@@ -397,7 +397,7 @@ NodeTarget Editing::chosenTarget() {
 }
 
 NodeTarget Editing::chosenTarget(const NodeEdit& edit) {
-  if (!edit.isOfSelected) return chosenTarget();
+  if (!edit.isOfSelected) return chosenTarget(edit.takesEdge);
   NodeTarget selected{.nodes = document_.selection().nodes(), .viewDirection = viewDirection_};
   if (selected.nodes.empty())
     throw Error(tr("select the node to go on from, or add a child first").toStdString());

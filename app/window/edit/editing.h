@@ -99,7 +99,7 @@ private:
   }
   [[nodiscard]] const ToolEntry& currentEntry() const;
   [[nodiscard]] NodeTarget target() const;
-  [[nodiscard]] NodeTarget chosenTarget(); // which is selected then
+  [[nodiscard]] NodeTarget chosenTarget(bool takesEdge = false); // whose nodes are selected then
   [[nodiscard]] NodeTarget chosenTarget(const NodeEdit& edit);
   [[nodiscard]] std::optional<Eigen::Vector3d> placeUnder() const;
   [[nodiscard]] QString titleUnder() const;

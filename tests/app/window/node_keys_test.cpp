@@ -2,6 +2,8 @@
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/plants.h"
 #include "ui/panels/status_line.h"
+#include "ui/tools/node_choices.h"
+#include "ui/tools/node_edits.h"
 
 #include <QAction>
 #include <QInputDialog>
@@ -50,6 +52,40 @@ TEST_F(NodeKeysTest, DigitsOfTheKeypadTurnTheView) {
   hover(placeOf(nodeAt({1, 0, 2})));
   key(Qt::Key_5, Qt::KeypadModifier);
   EXPECT_EQ(selected(), 0U);
+}
+
+/// The edge from the foot to the top is all that the pointer is on, and nothing is selected.
+TEST_F(NodeKeysTest, NeedANodeWhereThePointerIsOnAnEdge) {
+  const QPoint middle = view().project({0, 0, 0.5})->toPoint();
+  ASSERT_TRUE(view().pick(middle).edge);
+  ASSERT_FALSE(view().pick(middle).node);
+  const Skeleton before = document().skeleton();
+  const auto expectRefused = [&](const QString& id) {
+    document().selection().clear();
+    hover({5, 5});
+    hover(middle);
+    find<StatusLine>("status_line").showNote("none");
+    action(id).trigger();
+    EXPECT_EQ(document().skeleton(), before) << id.toStdString();
+    EXPECT_EQ(window().statusLine().shownText(), "Put the pointer on a node, or select one")
+        << id.toStdString();
+  };
+  for (const NodeEdit& edit : nodeEdits())
+    if (!edit.takesEdge && !edit.isOfSelected) expectRefused(edit.id);
+  for (const NodeChoice& choice : nodeChoices())
+    if (!choice.id.isEmpty() && choice.needsNodes) expectRefused(choice.id);
+  expectRefused("resample");
+
+  document().selection().clear();
+  hover(middle);
+  key(Qt::Key_E);
+  EXPECT_EQ(document().skeleton().size(), before.size() + 1) << "an edge is split all the same";
+  action("undo").trigger();
+  document().selection().clear();
+  hover({5, 5});
+  hover(middle);
+  key(Qt::Key_X);
+  EXPECT_EQ(document().skeleton().roots().size(), 2U) << "and cut";
 }
 
 TEST_F(NodeKeysTest, CutAndJoinBringTheBranchBack) {

@@ -147,7 +147,7 @@ void ColorBar::cancel() {
 
 void ColorBar::type(End end) {
   const double value = end == End::from ? legend_.from : legend_.to;
-  auto* field = new ValueField(rangeNumber(value, range()), parentWidget());
+  auto* field = new ValueField(rangeNumber(value, range(), legend_.unit), parentWidget());
   const QPointF corner = mapToParent(QPointF(0, placeOf(end) - field->sizeHint().height() / 2.0));
   field->setGeometry(QRect(corner.toPoint(), QSize(int(numbers), field->sizeHint().height())));
   field->setAccessibleName(end == End::from ? tr("Least value of the color range")
@@ -164,7 +164,8 @@ void ColorBar::takeTyped(End end, const QString& text) {
   const std::optional<double> number = typedNumber(text);
   if (number) (end == End::from ? typed.from : typed.to) = *number;
   if (!number || !(typed.from < typed.to)) {
-    const QString other = rangeNumber(end == End::from ? typed.to : typed.from, range());
+    const QString other =
+        rangeNumber(end == End::from ? typed.to : typed.from, range(), legend_.unit);
     const QString reason = !number ? tr("This is no number: the range stays as it was")
                            : end == End::from
                                ? tr("The least value must be below %1").arg(other)
@@ -172,8 +173,8 @@ void ColorBar::takeTyped(End end, const QString& text) {
     QToolTip::showText(mapToGlobal(QPoint(0, int(placeOf(end)) + 12)), reason, this);
     return;
   }
-  if (rangeNumber(end == End::from ? legend_.from : legend_.to, range()) ==
-      rangeNumber(*number, range()))
+  const double before = end == End::from ? legend_.from : legend_.to;
+  if (typedNumber(rangeNumber(before, range(), legend_.unit)) == number)
     return; // as it was written
   emit rangeChosen(legend_.id, typed, true);
 }

@@ -1,5 +1,6 @@
 #include "ui/view/legend.h"
 
+#include "ui/document/length_unit.h"
 #include "ui/document/number_scale.h"
 #include "ui/view/overlay_text.h"
 
@@ -20,6 +21,21 @@ constexpr double scaleWidth = 46; // the bar and the histogram
 constexpr double numberWidth = 64;
 constexpr double rowHeight = 20;
 constexpr double leastVeiled = 560; // views that are narrower have no room beside the plant
+
+/// 0: not known.
+double millimeterIn(LengthUnit unit) {
+  switch (unit) {
+  case LengthUnit::millimeter:
+    return 1;
+  case LengthUnit::centimeter:
+    return 0.1;
+  case LengthUnit::meter:
+    return 0.001;
+  case LengthUnit::unknown:
+    break;
+  }
+  return 0;
+}
 
 QString titleOf(const Legend& legend) {
   return legend.unit.isEmpty() ? legend.title
@@ -88,8 +104,8 @@ void paintNumbers(QPainter& painter, const Legend& legend, const LegendBox& box,
   const double bottom = box.placeOf(legend, range.from);
   const double top = box.placeOf(legend, range.to);
   const double apart = std::max(0.0, (rowHeight - 4 - (bottom - top)) / 2);
-  write(bottom + apart, rangeNumber(range.from, range));
-  write(top - apart, rangeNumber(range.to, range));
+  write(bottom + apart, rangeNumber(range.from, range, legend.unit));
+  write(top - apart, rangeNumber(range.to, range, legend.unit));
   for (const double place : {bottom, top}) {
     painter.setPen(QPen(toQt(colors.text), 1));
     painter.drawLine(QPointF(left - 2, place), QPointF(box.scale.right(), place));
@@ -191,8 +207,10 @@ void paintLegends(QPainter& painter, const std::vector<Legend>& legends, const Q
   }
 }
 
-QString rangeNumber(double value, const ValueRange& range) {
-  return numberAtStep(value, roundStep((range.to - range.from) / 100));
+QString rangeNumber(double value, const ValueRange& range, const QString& unit) {
+  const double length = range.to - range.from;
+  const double finest = std::min(millimeterIn(unitOfSymbol(unit)), length / 10);
+  return numberAtStep(value, roundStep(std::max(length / 100, finest)));
 }
 
 } // namespace espalier

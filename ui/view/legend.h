@@ -35,7 +35,8 @@ struct LegendBox {
 void paintLegends(QPainter& painter, const std::vector<Legend>& legends, const QSizeF& size,
                   Corner corner, bool dark);
 
-/// The ends of a range, as written at a color bar.
-[[nodiscard]] QString rangeNumber(double value, const ValueRange& range);
+/// A value as it is written at the ends of the range of a color bar: to about a hundredth of the
+/// range, but lengths no finer than to 1 mm where the range is over 1 cm.
+[[nodiscard]] QString rangeNumber(double value, const ValueRange& range, const QString& unit);
 
 } // namespace espalier

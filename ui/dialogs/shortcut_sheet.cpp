@@ -12,6 +12,7 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -164,13 +165,29 @@ void ShortcutSheet::fill() {
   auto* rows = new QWidget;
   rows->setObjectName("shortcut_rows");
   const Change change = [this](const QAction* action) { this->change(action); };
-  QHBoxLayout* columns = makeColumns(sectionsOf(bindings_.actions()), 4, change, rows);
-  columns->setContentsMargins(0, 0, 0, 0);
-  rows->setLayout(columns);
+  const std::vector<Section> sections = sectionsOf(bindings_.actions());
+  const QSize room = roomForRows();
+  for (std::size_t count = 4; count > 0; --count) { // as many side by side as there is room for
+    delete rows->layout();
+    qDeleteAll(rows->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
+    QHBoxLayout* columns = makeColumns(sections, count, change, rows);
+    columns->setContentsMargins(0, 0, 0, 0);
+    rows->setLayout(columns);
+    if (rows->sizeHint().width() <= room.width()) break;
+  }
   if (QWidget* last = scroll_->takeWidget()) last->deleteLater(); // a button of it may be clicked
   scroll_->setWidget(rows);
-  const QSize room = screen()->availableSize() - QSize(40, 140);
-  scroll_->setMinimumSize((rows->sizeHint() + QSize(16, 0)).boundedTo(room));
+  const int bar = scroll_->verticalScrollBar()->sizeHint().width();
+  scroll_->setMinimumSize((rows->sizeHint() + QSize(bar, 0)).boundedTo(room));
+}
+
+/// Of the sheet, in the window that it is over, or on the screen.
+QSize ShortcutSheet::roomForRows() const {
+  const QSize window = parentWidget() != nullptr ? parentWidget()->window()->size()
+                                                 : screen()->availableSize() - QSize(16, 48);
+  const QMargins margins = layout()->contentsMargins();
+  const int foot = layout()->spacing() + 32; // the buttons below
+  return window - QSize(margins.left() + margins.right(), margins.top() + margins.bottom() + foot);
 }
 
 void ShortcutSheet::change(const QAction* action) {

@@ -20,6 +20,7 @@ public:
 
 private:
   void fill();
+  [[nodiscard]] QSize roomForRows() const;
   void change(const QAction* action); // null: none chosen yet
 
   KeyBindings& bindings_;

@@ -295,11 +295,12 @@ void MainWindow::refreshCounts() {
 }
 
 void MainWindow::refreshHint() {
+  const QString between = QStringLiteral("   ");
   QString hint;
-  QString further;
+  QStringList further;
   for (const auto& part : parts_) {
     if (const QString its = part->hint(); !its.isEmpty()) hint = its;
-    if (const QString its = part->furtherHint(); !its.isEmpty()) further += "   " + its;
+    if (const QString its = part->furtherHint(); !its.isEmpty()) further += its.split(between);
   }
   if (document_.isEmpty()) // while a file is read, that is all there is to say
     hint = jobs_.isBusy() ? QString() : tr("Open a scan, or drop one here");
@@ -307,7 +308,12 @@ void MainWindow::refreshHint() {
     hint = withKeys(tr("No positions, so no view   {export_structure} write as MTG or OPF   "
                        "{open} open another file"),
                     *actions_);
-  status_->setHint(hint + further);
+  const auto isOfLeave = // which is named once, with what it does first
+      [key = (*actions_)["leave"]->shortcut().toString(QKeySequence::NativeText) +
+             ' '](const QString& each) { return each.startsWith(key); };
+  if (std::ranges::any_of(hint.split(between), isOfLeave)) further.removeIf(isOfLeave);
+  further.prepend(hint);
+  status_->setHint(further.join(between));
 }
 
 void MainWindow::refreshEmptiness() {

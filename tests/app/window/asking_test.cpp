@@ -5,8 +5,10 @@
 #include "tests/app/window/asking_fixture.h"
 #include "ui/document/doubt_text.h"
 #include "ui/panels/message_banner.h"
+#include "ui/panels/status_line.h"
 
 #include <QFile>
+#include <QRegularExpression>
 #include <QTreeView>
 
 #include <algorithm>
@@ -38,6 +40,19 @@ TEST_F(AskingTest, TakesAnswersByOneKeyEachAsOneUndoStep) {
   EXPECT_GT(document().undoStack().index(), steps);
   EXPECT_GT(reviewed(), 0U);
   EXPECT_LT(doubts(), before);
+}
+
+TEST_F(AskingTest, NamesTheKeyThatEndsItOnceWhereAPanelHasTheKeyboard) {
+  ask();
+  find<QTreeView>("findings_list").setFocus();
+  QStringList hints;
+  const auto isHint = [&] { // notes end
+    hints = window().statusLine().shownText().split("   ");
+    return hints.contains("Shift+Esc next panel");
+  };
+  ASSERT_TRUE(QTest::qWaitFor(isHint, 10'000));
+  EXPECT_EQ(hints.count("Esc ends"), 1);
+  EXPECT_EQ(hints.filter(QRegularExpression("^Esc ")).size(), 1);
 }
 
 TEST_F(AskingTest, TheFirstKeyLeavesThePlantAsItIsWhateverIsAsked) {

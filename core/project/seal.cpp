@@ -104,6 +104,8 @@ Json jsonOf(const SealedState& state) {
           {"ignored", state.ignored},
           {"points", state.points},
           {"unexplained", state.unexplained},
+          {"ignored_places", state.ignoredPlaces},
+          {"ignored_points", state.ignoredPoints},
           {"automatic", jsonOf(state.automatic)},
           {"other", jsonOf(state.other)},
           {"reason", state.reason}};
@@ -114,6 +116,8 @@ SealedState stateFrom(const Json& json) {
           .ignored = json.at("ignored").get<std::size_t>(),
           .points = json.at("points").get<std::size_t>(),
           .unexplained = json.at("unexplained").get<std::size_t>(),
+          .ignoredPlaces = json.value("ignored_places", std::size_t{0}), // none in older ones
+          .ignoredPoints = json.value("ignored_points", std::size_t{0}),
           .automatic = agreementFrom(json.at("automatic")),
           .other = agreementFrom(json.at("other")),
           .reason = json.at("reason").get<std::string>()};

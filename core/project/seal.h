@@ -28,6 +28,8 @@ struct SealedState {
   std::size_t ignored = 0;                     // findings that were looked at and ignored
   std::size_t points = 0;                      // in use of the scan; 0: there was none
   std::size_t unexplained = 0;                 // of these, farther from the wood than checks allow
+  std::size_t ignoredPlaces = 0;               // of the ignored findings, those of such points
+  std::size_t ignoredPoints = 0;               // of the unexplained ones, those at these places
   std::optional<SealedAgreement> automatic;    // with what the program found, or was opened
   std::optional<SealedAgreement> other;        // with the reference that was loaded
   std::string reason;                          // why it was signed though findings were open

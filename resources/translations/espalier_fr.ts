@@ -2504,6 +2504,14 @@
         <source>what was opened</source>
         <translation>ce qui a été ouvert</translation>
     </message>
+    <message>
+        <source>; at 1 place ignored as no wood: %1 (%2 %)</source>
+        <translation>&#xa0;; à 1 endroit ignoré car sans bois&#xa0;: %1 (%2&#xa0;%)</translation>
+    </message>
+    <message>
+        <source>; at %1 places ignored as no wood: %2 (%3 %)</source>
+        <translation>&#xa0;; à %1 endroits ignorés car sans bois&#xa0;: %2 (%3&#xa0;%)</translation>
+    </message>
 </context>
 <context>
     <name>Sessions</name>

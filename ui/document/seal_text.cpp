@@ -32,11 +32,23 @@ QString agreementText(const SealedAgreement& agreement, LengthUnit unit) {
            agreement.structural ? share(*agreement.structural) : QStringLiteral("–"));
 }
 
+/// In one line, however much there is: a certificate is one page.
 QString unexplainedText(const SealedState& state) {
-  const double share =
-      100 * static_cast<double>(state.unexplained) / static_cast<double>(state.points);
-  return SealText::tr("%1 of %2 (%3 %)")
-      .arg(formatCount(state.unexplained), formatCount(state.points), numberText(share, 1));
+  const auto share = [&](std::size_t points) { // of few points, too, it is not 0
+    const double percent = 100 * static_cast<double>(points) / static_cast<double>(state.points);
+    return numberText(percent, percent < 0.1 && points > 0 ? 3 : 1);
+  };
+  const QString text =
+      SealText::tr("%1 of %2 (%3 %)")
+          .arg(formatCount(state.unexplained), formatCount(state.points), share(state.unexplained));
+  if (state.ignoredPlaces == 0) return text;
+  const QString points = formatCount(state.ignoredPoints);
+  return text +
+         (state.ignoredPlaces == 1
+              ? SealText::tr("; at 1 place ignored as no wood: %1 (%2 %)")
+                    .arg(points, share(state.ignoredPoints))
+              : SealText::tr("; at %1 places ignored as no wood: %2 (%3 %)")
+                    .arg(formatCount(state.ignoredPlaces), points, share(state.ignoredPoints)));
 }
 
 } // namespace

@@ -129,9 +129,16 @@ void SealFlow::sign() {
 
 void SealFlow::askToSign(SealedFacts facts) {
   PlantDocument& document = parts_.document;
-  for (const Finding& finding : facts.findings)
-    ++(parts_.isIgnored(finding) ? facts.state.ignored
-                                 : facts.state.findings[nameOf(finding.kind)]);
+  for (const Finding& finding : facts.findings) {
+    if (!parts_.isIgnored(finding)) {
+      ++facts.state.findings[nameOf(finding.kind)];
+      continue;
+    }
+    ++facts.state.ignored;
+    if (finding.kind != Finding::Kind::unexplainedPoints) continue;
+    ++facts.state.ignoredPlaces;
+    facts.state.ignoredPoints += finding.points.size();
+  }
   const History history = document.history();
   const auto now = [] { return QDateTime::currentMSecsSinceEpoch(); };
   SignDialog dialog(signedBy("?", now(), history, facts.state), document.unit(), signer_,

@@ -28,6 +28,8 @@ Seal wholeSeal() {
               .ignored = 5,
               .points = 147'989,
               .unexplained = 1480,
+              .ignoredPlaces = 3,
+              .ignoredPoints = 444,
               .automatic = SealedAgreement{"the reconstruction", 0.01, 0.91, 0.85, 0.879, 0.84},
               .other = SealedAgreement{"second.mtg", 0.01, 0.98, 0.97, 0.975, 0.93},
               .reason = "the two turns are real"}};
@@ -51,10 +53,26 @@ TEST(Certificate, StatesAllThatTheSealDoes) {
   EXPECT_TRUE(cellOf(page, "Findings", 1).startsWith("3 open ("));
   EXPECT_TRUE(cellOf(page, "Findings", 1).contains("sharp turns: 2"));
   EXPECT_TRUE(cellOf(page, "Findings", 1).endsWith("; 5 ignored"));
+  EXPECT_EQ(cellOf(page, "Points without wood", 1),
+            formatCount(1480) + " of " + formatCount(147'989) +
+                " (1.0 %); at 3 places ignored as no wood: 444 (0.3 %)");
   EXPECT_EQ(cellOf(page, "Why they are left", 1), "the two turns are real");
   EXPECT_TRUE(cellOf(page, "Agreement with the reconstruction", 1).startsWith("F 0.879 within "));
   EXPECT_TRUE(cellOf(page, "Agreement with second.mtg", 1).endsWith("T 0.930"));
   EXPECT_TRUE(textOf(page).contains("marked as reviewed in bulk")) << qPrintable(textOf(page));
+}
+
+TEST(Certificate, StatesFewIgnoredPointsAsMoreThanNone) {
+  Seal seal = wholeSeal();
+  seal.state->ignoredPlaces = 1;
+  seal.state->ignoredPoints = 12;
+  const auto points = [&] {
+    const ReportSection page = certificate(seal, {}, aboutSeal()).sections.front();
+    return cellOf(page, "Points without wood", 1);
+  };
+  EXPECT_TRUE(points().endsWith("; at 1 place ignored as no wood: 12 (0.008 %)"));
+  seal.state->ignoredPlaces = seal.state->ignoredPoints = 0;
+  EXPECT_TRUE(points().endsWith(" (1.0 %)"));
 }
 
 TEST(Certificate, OfACleanSealWarnsOfNothing) {

@@ -7490,6 +7490,18 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <source>%1 is the reference again</source>
         <translation>%1 est de nouveau la référence</translation>
     </message>
+    <message>
+        <source>Compare with %1</source>
+        <translation>Comparer à %1</translation>
+    </message>
+    <message>
+        <source>Load Reference Beside the Scan</source>
+        <translation>Charger la référence à côté du scan</translation>
+    </message>
+    <message>
+        <source>Loads the structure that has the name of the scan and lies beside it, as that of the sample plant</source>
+        <translation>Charge la structure qui a le nom du scan et se trouve à côté de lui, comme celle de la plante d’exemple</translation>
+    </message>
 </context>
 <context>
     <name>espalier::RegistrationFlow</name>

@@ -93,6 +93,14 @@ QWidget* TraitsPanel::makeHead(const Parts& parts) {
   QToolButton* report = panelButton(*parts.report, tr("Report…"));
   report->setObjectName("traits_report");
   row->addWidget(report);
+  QToolButton* beside = panelButton(*parts.beside);
+  beside->setObjectName("evaluation_beside");
+  const auto showBeside = [beside, action = parts.beside] {
+    beside->setVisible(action->isVisible());
+  };
+  connect(parts.beside, &QAction::changed, beside, showBeside);
+  row->addWidget(beside);
+  showBeside();
   auto* load = new QPushButton(tr("Load Reference…"));
   load->setObjectName("evaluation_load");
   connect(load, &QPushButton::clicked, parts.load, &QAction::trigger);

@@ -26,6 +26,7 @@ public:
   /// What its buttons do.
   struct Parts {
     QAction* load;   // a reference
+    QAction* beside; // loads that which lies beside the scan; hidden: there is none
     QAction* light;  // measures it
     QAction* report; // writes all of it to a file
   };

@@ -91,7 +91,8 @@ void EvaluationFlow::makePanel() {
 
 void EvaluationFlow::fillMenu(QMenu& menu) const {
   const auto add = [&](const QString& id) { menu.addAction(parts_.window.actions[id]); };
-  for (const char* id : {"load_reference", "compare_version", "remove_reference"})
+  for (const char* id :
+       {"load_reference", "load_reference_beside", "compare_version", "remove_reference"})
     add(id);
   menu.addSeparator();
   add("show_evaluation");

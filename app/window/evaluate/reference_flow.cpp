@@ -15,6 +15,7 @@
 #include "ui/view/plant_view.h"
 
 #include <QAction>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
@@ -27,6 +28,8 @@
 
 namespace espalier {
 namespace {
+
+constexpr auto besideId = "load_reference_beside";
 
 bool isStructure(const QString& path) {
   try {
@@ -44,7 +47,24 @@ ReferenceFlow::ReferenceFlow(const Parts& parts) : parts_(parts) {
                  .text = [this] { return text_; },
                  .show = [this](const std::string& text) { show(text); }});
   connect(this, &ReferenceFlow::changed, this, &ReferenceFlow::keptChanged);
+  for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::titleChanged})
+    connect(&parts_.document, signal, this, &ReferenceFlow::refreshBeside);
   show({});
+}
+
+QString ReferenceFlow::beside() const {
+  const QFileInfo scan(parts_.document.scanPath());
+  if (parts_.document.scan() == nullptr || !scan.exists()) return {};
+  const QString path = scan.dir().filePath(scan.completeBaseName() + ".mtg");
+  const bool isOpen = QFileInfo(path) == QFileInfo(parts_.document.filePath());
+  return QFileInfo::exists(path) && !isOpen ? path : QString();
+}
+
+void ReferenceFlow::refreshBeside() {
+  QAction& action = *parts_.actions[besideId];
+  const QString path = beside();
+  action.setText(tr("Compare with %1").arg(QFileInfo(path).fileName()));
+  action.setVisible(!path.isEmpty() && skeleton_ == nullptr);
 }
 
 void ReferenceFlow::addActions() {
@@ -55,6 +75,13 @@ void ReferenceFlow::addActions() {
                       .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
                       .menu = "file/reference"},
                      [this] { choose(); });
+  parts_.actions.add(
+      {.id = besideId,
+       .text = tr("Load Reference Beside the Scan"),
+       .help = tr("Loads the structure that has the name of the scan and lies beside "
+                  "it, as that of the sample plant"),
+       .menu = "file/reference"},
+      [this] { load(beside()); });
   parts_.actions.add({.id = "remove_reference",
                       .text = tr("Remove Reference"),
                       .help = tr("Puts the reference away; its file stays as it is"),
@@ -152,6 +179,7 @@ void ReferenceFlow::set(Reference reference) {
   parts_.view.setReference(laid_);
   parts_.actions["remove_reference"]->setEnabled(skeleton_ != nullptr);
   parts_.actions["layer_reference"]->setVisible(skeleton_ != nullptr);
+  refreshBeside();
   emit changed();
 }
 

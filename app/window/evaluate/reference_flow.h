@@ -70,6 +70,9 @@ signals:
 private:
   void addActions();
   void choose();
+  /// The structure that lies beside the scan under its name; empty: none, or it is what is open.
+  [[nodiscard]] QString beside() const;
+  void refreshBeside();
   void show(const std::string& text);
   void remove();
   void set(Reference reference);

@@ -44,6 +44,7 @@ TraitsFlow::TraitsFlow(const Parts& parts) : parts_(parts), maker_(parts.jobs) {
                           "HTML or PDF, or all numbers as CSV or JSON")},
               [this] { choose(); });
   panel_ = new TraitsPanel(parts_.document, {.load = actions["load_reference"],
+                                             .beside = actions["load_reference_beside"],
                                              .light = actions["measure_light"],
                                              .report = actions["export_plant_report"]});
   connect(panel_, &TraitsPanel::densityChosen, this, [this](double density) {

@@ -11,6 +11,7 @@
 #include <QDropEvent>
 #include <QMimeData>
 #include <QTest>
+#include <QToolButton>
 
 namespace espalier {
 namespace {
@@ -44,6 +45,26 @@ struct ReferenceWindowTest : test::ProjectWindowTest {
            test::countPixels(picture, palette(false).reference) > 20;
   }
 };
+
+TEST_F(ReferenceWindowTest, OffersByOneClickTheReferenceThatLiesBesideTheScan) {
+  const QString scan = writeScan("plant.xyz");
+  open({scan});
+  EXPECT_FALSE(action("load_reference_beside").isVisible()) << "there is none";
+  const QString reference = writeFork("plant.mtg");
+  open({scan});
+  key(Qt::Key_F5);
+  auto& button = find<QToolButton>("evaluation_beside");
+  ASSERT_TRUE(button.isVisible());
+  EXPECT_EQ(button.text(), "Compare with plant.mtg");
+  QTest::mouseClick(&button, Qt::LeftButton);
+  waitForJob();
+  EXPECT_TRUE(action("layer_reference").isVisible());
+  EXPECT_FALSE(action("load_reference_beside").isVisible()) << "it is loaded";
+  action("remove_reference").trigger();
+  EXPECT_TRUE(action("load_reference_beside").isVisible());
+  open({scan, reference});
+  EXPECT_FALSE(action("load_reference_beside").isVisible()) << "it is the plant itself";
+}
 
 TEST_F(ReferenceWindowTest, ShowsAReferenceBesideThePlantAndPutsItAway) {
   open({writeFork("fork.mtg")});

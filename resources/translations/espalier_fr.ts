@@ -8165,7 +8165,7 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
     <message>
         <source>Press . to walk</source>
-        <translation>Appuyer sur . pour parcourir</translation>
+        <translation>Parcourir&#xa0;: touche .</translation>
     </message>
     <message>
         <source>Mark All %1 Selected Reviewed</source>
@@ -11675,19 +11675,19 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     </message>
     <message>
         <source>RMS, 0–25 % seen</source>
-        <translation>Erreur quadratique, 0–25&#xa0;% vus</translation>
+        <translation>RMS, 0–25&#xa0;% vus</translation>
     </message>
     <message>
         <source>RMS, 25–50 % seen</source>
-        <translation>Erreur quadratique, 25–50&#xa0;% vus</translation>
+        <translation>RMS, 25–50&#xa0;% vus</translation>
     </message>
     <message>
         <source>RMS, 50–75 % seen</source>
-        <translation>Erreur quadratique, 50–75&#xa0;% vus</translation>
+        <translation>RMS, 50–75&#xa0;% vus</translation>
     </message>
     <message>
         <source>RMS, 75–100 % seen</source>
-        <translation>Erreur quadratique, 75–100&#xa0;% vus</translation>
+        <translation>RMS, 75–100&#xa0;% vus</translation>
     </message>
     <message>
         <source>Comparing plants</source>

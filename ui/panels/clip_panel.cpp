@@ -24,6 +24,7 @@ int stepOf(double part) {
 } // namespace
 
 ClipPanel::ClipPanel(QWidget* parent) : QWidget(parent) {
+  setObjectName("clip_panel");
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(12, 8, 12, 12);
   grid->setVerticalSpacing(6);

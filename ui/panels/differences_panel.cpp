@@ -111,6 +111,7 @@ DifferencesPanel::DifferencesPanel(const PlantDocument& document, const Actions&
   for (QAction* action :
        {actions.accept, actions.ignore}) { // which say by their keys what is missing
     QToolButton* button = panelButton(*action);
+    button->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
     const auto enable = [this, button] { button->setEnabled(current().has_value()); };
     connect(action, &QAction::changed, button, enable);
     connect(this, &DifferencesPanel::currentChanged, button, enable);

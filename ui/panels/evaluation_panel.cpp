@@ -50,6 +50,7 @@ EvaluationPanel::EvaluationPanel(const PlantDocument& document, const Parts& par
   auto* row = new QHBoxLayout;
   row->setSpacing(12);
   row->addWidget(scores_);
+  parts.plot->setMinimumWidth(180); // of a screen of 1280, numbers and errors need the rest
   row->addWidget(parts.plot, 1);
   row->addWidget(parts.errors, 2);
   column->addLayout(row, 1);

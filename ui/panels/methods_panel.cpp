@@ -1,10 +1,10 @@
 #include "ui/panels/methods_panel.h"
 
+#include "ui/panels/elided_label.h"
 #include "ui/panels/focus_keys.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -36,7 +36,7 @@ public:
 } // namespace
 
 MethodsPanel::MethodsPanel(QWidget* parent)
-    : QWidget(parent), note_(new QLabel), add_(new QPushButton(tr("Add Structures…"))),
+    : QWidget(parent), note_(new ElidedLabel), add_(new QPushButton(tr("Add Structures…"))),
       remove_(new QPushButton(tr("Remove"))), copy_(new QPushButton(tr("Copy Table"))),
       table_(new QTableWidget) {
   setObjectName("methods_panel");
@@ -47,7 +47,6 @@ MethodsPanel::MethodsPanel(QWidget* parent)
   row->setSpacing(8);
   note_->setObjectName("methods_note");
   note_->setProperty("role", "quiet");
-  note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // must not widen the panel
   row->addWidget(note_, 1);
   add_->setObjectName("methods_add");
   remove_->setObjectName("methods_remove");
@@ -121,6 +120,7 @@ void MethodsPanel::show(const std::vector<MethodRow>& rows, const QString& refer
           ? tr("Compared with %1 within %2").arg(reference, formatLength(tolerance, unit, 3))
           : tr("Compared with %1").arg(reference);
   note_->setText(noteText_);
+  note_->setToolTip(noteText_); // which may have no room
   add_->setEnabled(!reference.isEmpty());
   remove_->setEnabled(false);
   copy_->setEnabled(!rows.empty());

@@ -9,11 +9,12 @@
 #include <optional>
 #include <vector>
 
-class QLabel;
 class QPushButton;
 class QTableWidget;
 
 namespace espalier {
+
+class ElidedLabel;
 
 /// A structure in the table, and where it stands.
 struct MethodRow {
@@ -45,7 +46,7 @@ signals:
 private:
   [[nodiscard]] std::vector<int> chosenRows() const;
 
-  QLabel* note_;
+  ElidedLabel* note_;
   QPushButton* add_;
   QPushButton* remove_;
   QPushButton* copy_;

@@ -8,7 +8,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
-#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -66,8 +65,7 @@ NumberField::NumberField(const Option& option, QGridLayout& grid, QWidget& paren
   slider_->setMinimumWidth(48);
   label().setBuddy(number_);
   const int row = grid.rowCount();
-  grid.addWidget(&label(), row, 0);
-  grid.addWidget(&reset(), row, 1, Qt::AlignRight);
+  addHead(grid, row, label());
   grid.addWidget(slider_, row + 1, 0);
   grid.addWidget(number_, row + 1, 1);
   connect(slider_, &QSlider::valueChanged, this, [this] { choose(valueAt(slider_->place())); });

@@ -4,6 +4,8 @@
 #include "ui/panels/number_field.h"
 #include "ui/panels/word_fields.h"
 
+#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
 
@@ -35,6 +37,14 @@ OptionField::OptionField(const Option& option, QWidget& parent)
   keepsPlace.setRetainSizeWhenHidden(true); // so that columns do not jump
   reset_->setSizePolicy(keepsPlace);
   connect(reset_, &QToolButton::clicked, this, [this] { choose(std::nullopt); });
+}
+
+void OptionField::addHead(QGridLayout& grid, int row, QWidget& text) const {
+  auto* head = new QHBoxLayout;
+  head->setSpacing(4);
+  head->addWidget(&text, 1);
+  head->addWidget(reset_);
+  grid.addLayout(head, row, 0, 1, 2);
 }
 
 void OptionField::setScale(const PlantScale& scale, const QString& unit) {

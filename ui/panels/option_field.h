@@ -43,7 +43,8 @@ protected:
 
   [[nodiscard]] const PlantScale& scale() const { return scale_; }
   [[nodiscard]] QLabel& label() const { return *label_; }
-  [[nodiscard]] QToolButton& reset() const { return *reset_; }
+  /// `text` and the button for the default, across the grid: a long text widens no other field.
+  void addHead(QGridLayout& grid, int row, QWidget& text) const;
   [[nodiscard]] QString help() const; // for tips
 
   virtual void showScale(const QString& unit) = 0; // range and tips

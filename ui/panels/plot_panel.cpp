@@ -80,7 +80,7 @@ PlotPanel::PlotPanel(QWidget* parent)
     if (row >= 0) emit pointedAt(static_cast<std::size_t>(row));
   });
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(12, 12, 8, 12);
+  column->setContentsMargins(12, 12, 10, 12);
   column->setSpacing(8);
   column->addWidget(words_);
   column->addWidget(cleans_);

@@ -11,6 +11,7 @@
 #include <QAction>
 #include <QGridLayout>
 #include <QGuiApplication>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -146,8 +147,12 @@ void ReviewPanel::addChosen(QVBoxLayout& column, const Actions& actions) {
   QGridLayout* grid = makeGrid(column);
   grid->addWidget(sharingButton(*actions.previous, tr("◂ Previous")), 0, 0);
   grid->addWidget(sharingButton(*actions.next, tr("Next ▸")), 0, 1);
-  grid->addWidget(sharingButton(*actions.openEnd, tr("Open End")), 1, 0);
-  grid->addWidget(sharingButton(*actions.branching, tr("Branching")), 1, 1);
+  auto* kinds = new QHBoxLayout;
+  kinds->setSpacing(4);
+  for (QToolButton* button : {sharingButton(*actions.openEnd, tr("Open End")),
+                              sharingButton(*actions.branching, tr("Branching"))})
+    kinds->addWidget(button, button->sizeHint().width()); // each as its text needs
+  grid->addLayout(kinds, 1, 0, 1, 2);
   grid->addWidget(sharingButton(*actions.riskiestFirst, tr("Riskiest First")), 2, 0, 1, 2);
   column.addWidget(sharingButton(*actions.reviewed, tr("Reviewed, Go On")));
   grid = makeGrid(column);

@@ -21,6 +21,7 @@
 #include <QTreeView>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -42,7 +43,7 @@ SuspectsPanel::SuspectsPanel(const PlantDocument& document, const Actions& actio
     label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   }
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 12, 8, 12);
+  column->setContentsMargins(8, 12, 10, 12); // at the right room for a scroll bar
   column->setSpacing(8);
   // What comes and goes is below the list: nothing moves under the pointer of who goes through it.
   column->addWidget(title_);
@@ -188,6 +189,10 @@ void SuspectsPanel::refreshShown() {
   list_->setVisible(isListed || hasFields);
   ignore_->setVisible(isListed);
   ignore_->setEnabled(current().has_value()); // its key says what is missing
+  // Beside a question one row is enough: its answers stay in sight.
+  const int row = std::max(list_->sizeHintForRow(0), 2 * list_->fontMetrics().lineSpacing());
+  list_->setMinimumHeight(list_->header()->sizeHint().height() + (isAsked ? 1 : 3) * row +
+                          2 * list_->frameWidth());
   sentence_->setVisible(!isAsked && !sentence_->text().isEmpty());
   rest_->setVisible(!isAsked);
 }

@@ -8,7 +8,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QToolButton>
 
 namespace espalier {
 
@@ -23,8 +22,7 @@ ChoiceField::ChoiceField(const Option& option, QGridLayout& grid, QWidget& paren
     words_->addItem(shownText(choice.label));
   label().setBuddy(words_);
   const int row = grid.rowCount();
-  grid.addWidget(&label(), row, 0);
-  grid.addWidget(&reset(), row, 1, Qt::AlignRight);
+  addHead(grid, row, label());
   grid.addWidget(words_, row + 1, 0, 1, 2);
   connect(words_, &QComboBox::activated, this, [this](int index) { choose(index); });
 }
@@ -41,9 +39,7 @@ FlagField::FlagField(const Option& option, QGridLayout& grid, QWidget& parent)
     : OptionField(option, parent), box_(new QCheckBox(label().text(), &parent)) {
   box_->setObjectName(QString::fromStdString(option.name));
   label().hide(); // the box says it
-  const int row = grid.rowCount();
-  grid.addWidget(box_, row, 0);
-  grid.addWidget(&reset(), row, 1, Qt::AlignRight);
+  addHead(grid, grid.rowCount(), *box_);
   connect(box_, &QCheckBox::clicked, this, [this](bool isOn) { choose(isOn ? 1 : 0); });
 }
 

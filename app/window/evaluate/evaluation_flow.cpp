@@ -86,7 +86,7 @@ void EvaluationFlow::makePanel() {
                              .keys = Qt::Key_F5,
                              .menu = "panels/evaluation",
                              .manual = "compare.md"},
-                            panel_, this));
+                            {.size = 260}, panel_, this)); // some rows of errors
 }
 
 void EvaluationFlow::fillMenu(QMenu& menu) const {

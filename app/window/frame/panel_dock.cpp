@@ -6,8 +6,10 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QEvent>
+#include <QLayout>
 #include <QMainWindow>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTabBar>
 
@@ -19,17 +21,27 @@ namespace {
 
 constexpr auto sideName = "side_of_panel";
 
-/// A panel that scrolls sideways, in a window too narrow for it, instead of reaching beyond.
+/// A panel that scrolls where its dock is too small for it, instead of reaching beyond: below the
+/// plant sideways, beside it up and down.
 class PanelArea : public QScrollArea {
 public:
-  explicit PanelArea(QWidget* panel) {
+  PanelArea(QWidget* panel, bool isBelow) : isBelow_(isBelow) {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setFocusPolicy(Qt::NoFocus);
+    if (!isBelow) setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setWidget(panel);
   }
+  [[nodiscard]] QSize sizeHint() const override {
+    return isBelow_ || widget() == nullptr ? QScrollArea::sizeHint() : widget()->sizeHint();
+  }
   [[nodiscard]] QSize minimumSizeHint() const override {
-    return {QScrollArea::minimumSizeHint().width(), widget()->minimumSizeHint().height()};
+    const QSize least = QScrollArea::minimumSizeHint();
+    if (widget() == nullptr) return least; // while the window closes
+    const QSize panel = widget()->minimumSizeHint();
+    if (isBelow_) return {least.width(), panel.height()};
+    // A scroll bar lies on the right margin of the panel: it widens no dock.
+    return {panel.width(), std::min(least.height(), panel.height())};
   }
 
 protected:
@@ -48,9 +60,15 @@ protected:
 private:
   /// One with text that wraps would else be as high as it likes to be.
   void boundPanel() {
-    const int least = widget()->minimumSizeHint().height();
+    if (widget() == nullptr) return;
+    int least = widget()->minimumSizeHint().height();
+    if (const QLayout* layout = widget()->layout();
+        layout != nullptr && layout->hasHeightForWidth())
+      least = std::max(least, layout->totalMinimumHeightForWidth(viewport()->width()));
     widget()->setMaximumHeight(std::max(viewport()->height(), least));
   }
+
+  bool isBelow_;
 };
 
 } // namespace
@@ -76,7 +94,8 @@ PanelDock::PanelDock(const Parts& parts, const Name& name, const Place& place, Q
   setManualPlace(*dock_, name.manual);
   if (place_.isTab) dock_->setProperty(sideName, place_.side);
   const bool isBelow = place_.side == Qt::BottomDockWidgetArea;
-  dock_->setWidget(isBelow ? new PanelArea(panel) : panel);
+  const bool scrolls = qobject_cast<QAbstractScrollArea*>(panel) != nullptr; // by itself
+  dock_->setWidget(scrolls ? panel : new PanelArea(panel, isBelow));
   dock_->installEventFilter(this);
   this->place();
   dock_->hide();

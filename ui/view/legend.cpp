@@ -1,6 +1,5 @@
 #include "ui/view/legend.h"
 
-#include "ui/document/length_unit.h"
 #include "ui/document/number_scale.h"
 #include "ui/view/overlay_text.h"
 
@@ -23,18 +22,10 @@ constexpr double rowHeight = 20;
 constexpr double leastVeiled = 560; // views that are narrower have no room beside the plant
 
 /// 0: not known.
-double millimeterIn(LengthUnit unit) {
-  switch (unit) {
-  case LengthUnit::millimeter:
-    return 1;
-  case LengthUnit::centimeter:
-    return 0.1;
-  case LengthUnit::meter:
-    return 0.001;
-  case LengthUnit::unknown:
-    break;
-  }
-  return 0;
+double millimeterIn(const QString& unit) {
+  if (unit == QStringLiteral("mm")) return 1;
+  if (unit == QStringLiteral("cm")) return 0.1;
+  return unit == QStringLiteral("m") ? 0.001 : 0;
 }
 
 QString titleOf(const Legend& legend) {
@@ -209,7 +200,7 @@ void paintLegends(QPainter& painter, const std::vector<Legend>& legends, const Q
 
 QString rangeNumber(double value, const ValueRange& range, const QString& unit) {
   const double length = range.to - range.from;
-  const double finest = std::min(millimeterIn(unitOfSymbol(unit)), length / 10);
+  const double finest = std::min(millimeterIn(unit), length / 10);
   return numberAtStep(value, roundStep(std::max(length / 100, finest)));
 }
 

@@ -1,6 +1,9 @@
+#include "app/window/review/findings_flow.h"
+#include "core/io/formats.h"
 #include "core/project/seal.h"
 #include "tests/app/window/project_fixture.h"
 
+#include <QComboBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -253,6 +256,37 @@ TEST_F(SealWindowTest, IgnoredFindingsAreNoneThatAreOpen) {
     action("ignore_finding").trigger();
   const QString text = asked();
   EXPECT_TRUE(text.contains("none is open; ")) << text.toStdString();
+}
+
+// Points of the branches of the scan, of which the trunk has none.
+TEST_F(SealWindowTest, StatesHowManyPointsWereIgnoredAsNoWood) {
+  Skeleton trunk;
+  const NodeId foot = trunk.add({.position = {0, 0, 0}, .radius = 0.05});
+  trunk.add({.position = {0, 0, 2}, .radius = 0.05, .parent = foot});
+  writeStructure(toPath(path("trunk.mtg")), trunk);
+  open({writeScan("plant.xyz"), path("trunk.mtg")});
+  action("select_all").trigger();
+  action("mark_all_selected").trigger();
+  EXPECT_FALSE(asked().contains("ignored as no wood"));
+  key(Qt::Key_F8);
+  const auto& findings = window().part<FindingsFlow>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return findings.isAllChecked(); }));
+  auto& kinds = find<QComboBox>("findings_kind");
+  const int bare = kinds.findText("Bare twigs (", Qt::MatchStartsWith);
+  ASSERT_GE(bare, 0);
+  kinds.setCurrentIndex(bare);
+  emit kinds.activated(bare);
+  const PointSet& points = document().pointSelection().points();
+  key(Qt::Key_F4);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !points.isEmpty(); }));
+  const std::size_t selected = points.size();
+  key(Qt::Key_F4, Qt::ControlModifier);
+  ASSERT_EQ(findings.ignored().size(), 1U);
+  const std::size_t ignored = findings.ignored().front().points.size();
+  EXPECT_EQ(ignored, selected);
+  const QString text = asked();
+  EXPECT_TRUE(text.contains("; at 1 place ignored as no wood: " + formatCount(ignored) + " ("))
+      << text.toStdString();
 }
 
 TEST_F(SealWindowTest, StatesHowMuchWasMarkedInBulkAndHowItAgreesWithWhatWasOpened) {

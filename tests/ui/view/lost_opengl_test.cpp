@@ -1,5 +1,4 @@
 // Where the context of OpenGL is lost, as by a driver that is reset, the plant comes back.
-#include "tests/support/cloud_of.h"
 #include "tests/support/clouds.h"
 #include "tests/support/plants.h"
 #include "tests/ui/view/pictures.h"
@@ -45,7 +44,11 @@ TEST(LostOpenGl, ComesBackWithTheSamePicture) {
   PlantView second(first, &window); // which draws in the same context
   first.setGeometry(0, 0, 320, 320);
   second.setGeometry(320, 0, 320, 320);
-  first.setCloud(test::cloudOf(test::forkCloud(), Eigen::Vector3d::Zero()));
+  std::vector<Eigen::Vector3d> places;
+  const Eigen::Matrix3Xf fork = test::forkCloud();
+  for (const auto& point : fork.colwise())
+    places.emplace_back(point.cast<double>());
+  first.setCloud(test::cloudOf(places));
   first.setSkeleton(test::fork(2));
   window.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));

@@ -328,7 +328,8 @@ bool PreviewFlow::isComing() const {
 }
 
 void PreviewFlow::goOn() {
-  if (isLive() && shown_ && shown_->within && !isComing()) askAll();
+  const bool hasScan = parts_.document.scan() != nullptr; // what is shown may be of one that closes
+  if (hasScan && isLive() && shown_ && shown_->within && !isComing()) askAll();
 }
 
 void PreviewFlow::stop() {

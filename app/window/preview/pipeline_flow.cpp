@@ -15,7 +15,7 @@ PipelineFlow::PipelineFlow(const Parts& parts) : parts_(parts) {
                          .help = tr("Shows or hides this panel"),
                          .keys = Qt::Key_F6,
                          .manual = "reconstruct.md"},
-                        {.side = Qt::LeftDockWidgetArea, .size = 230, .isShown = true},
+                        {.side = Qt::LeftDockWidgetArea, .size = 252, .isShown = true},
                         &parts_.panel, this));
   keepOptions();
   connect(&parts_.panel, &PipelinePanel::changed, this, &PipelineFlow::keptChanged);

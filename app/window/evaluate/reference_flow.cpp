@@ -31,6 +31,11 @@ namespace {
 
 constexpr auto besideId = "load_reference_beside";
 
+QString besideText(const QString& path) {
+  return path.isEmpty() ? ReferenceFlow::tr("Load Reference Beside the Scan")
+                        : ReferenceFlow::tr("Compare with %1").arg(QFileInfo(path).fileName());
+}
+
 bool isStructure(const QString& path) {
   try {
     return !isProject(toPath(path)) && formatOf(toPath(path)).content == Content::structure;
@@ -63,7 +68,7 @@ QString ReferenceFlow::beside() const {
 void ReferenceFlow::refreshBeside() {
   QAction& action = *parts_.actions[besideId];
   const QString path = beside();
-  action.setText(tr("Compare with %1").arg(QFileInfo(path).fileName()));
+  action.setText(besideText(path));
   action.setVisible(!path.isEmpty() && skeleton_ == nullptr);
 }
 
@@ -77,7 +82,7 @@ void ReferenceFlow::addActions() {
                      [this] { choose(); });
   parts_.actions.add(
       {.id = besideId,
-       .text = tr("Load Reference Beside the Scan"),
+       .text = besideText({}),
        .help = tr("Loads the structure that has the name of the scan and lies beside "
                   "it, as that of the sample plant"),
        .menu = "file/reference"},

@@ -50,6 +50,7 @@ TEST_F(ReferenceWindowTest, OffersByOneClickTheReferenceThatLiesBesideTheScan) {
   const QString scan = writeScan("plant.xyz");
   open({scan});
   EXPECT_FALSE(action("load_reference_beside").isVisible()) << "there is none";
+  EXPECT_EQ(action("load_reference_beside").text(), "Load Reference Beside the Scan");
   const QString reference = writeFork("plant.mtg");
   open({scan});
   key(Qt::Key_F5);

@@ -109,7 +109,7 @@ void NodeTablePanel::makeTable() {
   for (const NodeColumn number : {NodeColumn::node, NodeColumn::parent, NodeColumn::unit})
     header->resizeSection(static_cast<int>(number), 56);
   for (const NodeColumn wide : {NodeColumn::radius, NodeColumn::length})
-    header->resizeSection(static_cast<int>(wide), 90);
+    header->resizeSection(static_cast<int>(wide), 84);
   for (const NodeColumn text : {NodeColumn::mark, NodeColumn::review})
     header->resizeSection(static_cast<int>(text), 68);
   for (const NodeColumn text : {NodeColumn::comment, NodeColumn::source}) // in a window of 1280 x

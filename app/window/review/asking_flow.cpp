@@ -87,7 +87,6 @@ void AskingFlow::connectParts() {
   PlantDocument& document = parts_.document;
   editEnds_.setInterval(50); // [ms]
   connect(&editEnds_, &QTimer::timeout, this, &AskingFlow::takeEdit);
-  connect(&parts_.doubts, &DoubtsFlow::changed, this, &AskingFlow::followDoubts);
   connect(&parts_.distances, &ScanDistances::changed, this, [this] { // which points it is about
     const bool isAsOfNow = current_ && !editEnds_.isActive();
     if (isAsOfNow && isThere(*current_, parts_.document.skeleton())) draw();

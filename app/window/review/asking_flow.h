@@ -55,6 +55,8 @@ public:
   void stopAsking();
   /// Which doubts it goes through by itself; at first all.
   void askOnlyAbout(std::function<bool(const Doubt&)> isAskedAbout);
+  /// Goes on or ends once other doubts are found or one is settled; after what lists them.
+  void followDoubts();
   [[nodiscard]] QString failureText() const; // of the search for doubts
 
 signals:
@@ -79,7 +81,6 @@ private:
   void takeBack();
   void decideRest();
   void wait();
-  void followDoubts();
   void askAgain(); // what was to be corrected by hand, once that is undone
   void noteEdit(const SkeletonDelta& delta);
   void takeEdit();

@@ -129,7 +129,8 @@ void SuspectsFlow::connectParts() {
     answer();
   });
   connect(&parts_.doubts, &DoubtsFlow::changed, this, [this] {
-    refresh();
+    refresh(); // what is listed first: a question beside it comes and goes
+    parts_.asking.followDoubts();
     if (dock_->isShown()) agreementTimer_.start(0);
   });
   connect(&parts_.asking, &AskingFlow::asked, this, &SuspectsFlow::showAsked);

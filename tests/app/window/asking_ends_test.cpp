@@ -36,6 +36,26 @@ TEST_F(AskingTest, GivesBackWhatWasSelectedBefore) {
   EXPECT_EQ(document().selection().nodes(), std::vector{chosen});
 }
 
+// The list beside the question is still of the plant that goes.
+TEST_F(AskingTest, EndsWithThePlantItAsksAbout) {
+  action("show_findings").setChecked(true);
+  ask();
+  document().undoStack().setClean();
+  action("close_plant").trigger();
+  EXPECT_FALSE(isAsked());
+  EXPECT_TRUE(found().doubts().empty());
+}
+
+TEST_F(AskingTest, EndsWhereAnotherPlantIsOpened) {
+  action("show_findings").setChecked(true);
+  ask();
+  document().undoStack().setClean();
+  open({writeFork("fork.mtg")});
+  EXPECT_FALSE(isAsked());
+  for (const Doubt& doubt : found().doubts()) // of the plant that is there now
+    EXPECT_TRUE(document().skeleton().contains(doubt.node));
+}
+
 TEST_F(AskingTest, SaysWhatAKeyHasDoneMeanwhile) {
   ask();
   skipTo(Doubt::Kind::end);

@@ -240,6 +240,7 @@ void AskingFlow::goOn() {
   if (next != doubts.end()) return goTo(*next);
   if (parts_.doubts.isBusy()) return wait();
   stopAsking();
+  if (parts_.document.scan() == nullptr) return; // the plant is closed
   if (!parts_.doubts.failure().isEmpty())
     emit failed(failureText());
   else

@@ -44,6 +44,8 @@ TEST_F(AskingTest, EndsWithThePlantItAsksAbout) {
   action("close_plant").trigger();
   EXPECT_FALSE(isAsked());
   EXPECT_TRUE(found().doubts().empty());
+  EXPECT_FALSE(window().statusLine().shownText().contains("in doubt"))
+      << window().statusLine().shownText().toStdString();
 }
 
 TEST_F(AskingTest, EndsWhereAnotherPlantIsOpened) {

@@ -100,7 +100,7 @@ void NodeTablePanel::makeTable() {
   table_->verticalHeader()->setDefaultSectionSize(24);
   QHeaderView* header = table_->horizontalHeader();
   header->setHighlightSections(false);
-  header->setDefaultSectionSize(76);
+  header->setDefaultSectionSize(68);
   header->setStretchLastSection(true);
   header->setSortIndicator(static_cast<int>(NodeColumn::node), Qt::AscendingOrder);
   for (const NodeColumn narrow :
@@ -109,7 +109,7 @@ void NodeTablePanel::makeTable() {
   for (const NodeColumn number : {NodeColumn::node, NodeColumn::parent, NodeColumn::unit})
     header->resizeSection(static_cast<int>(number), 56);
   for (const NodeColumn wide : {NodeColumn::radius, NodeColumn::length})
-    header->resizeSection(static_cast<int>(wide), 84);
+    header->resizeSection(static_cast<int>(wide), 90);
   for (const NodeColumn text : {NodeColumn::mark, NodeColumn::review})
     header->resizeSection(static_cast<int>(text), 68);
   for (const NodeColumn text : {NodeColumn::comment, NodeColumn::source}) // in a window of 1280 x
@@ -118,7 +118,19 @@ void NodeTablePanel::makeTable() {
   table_->installEventFilter(this);
 }
 
+/// Names are longer in some languages, and with some units.
+void NodeTablePanel::widenToNames() {
+  constexpr int room = 12; // beside a name: what is around it, and half of the arrow of the order
+  QHeaderView* header = table_->horizontalHeader();
+  for (int column = 0; column < nodeColumns; ++column) {
+    const QString name = model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    const int least = header->fontMetrics().horizontalAdvance(name) + room;
+    header->resizeSection(column, std::max(header->sectionSize(column), least));
+  }
+}
+
 void NodeTablePanel::showEvent(QShowEvent* event) {
+  widenToNames();
   refresh(); // nothing was read while nobody looked
   QWidget::showEvent(event);
 }
@@ -165,8 +177,10 @@ void NodeTablePanel::connectParts() {
   connect(&document_, &PlantDocument::skeletonReplaced, this, [this] {
     if (isVisible()) refresh();
   });
-  connect(&document_, &PlantDocument::unitChanged, this,
-          [this] { emit model_->headerDataChanged(Qt::Horizontal, 0, nodeColumns - 1); });
+  connect(&document_, &PlantDocument::unitChanged, this, [this] {
+    emit model_->headerDataChanged(Qt::Horizontal, 0, nodeColumns - 1);
+    if (isVisible()) widenToNames();
+  });
 }
 
 void NodeTablePanel::useFilter() {

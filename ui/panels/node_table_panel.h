@@ -39,6 +39,7 @@ protected:
 
 private:
   void makeTable();
+  void widenToNames();
   void refresh();
   void connectParts();
   void useFilter();

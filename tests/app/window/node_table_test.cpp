@@ -16,6 +16,7 @@
 #include <QPushButton>
 #include <QTableView>
 #include <QTest>
+#include <QTranslator>
 
 #include <gmock/gmock.h>
 
@@ -71,8 +72,34 @@ TEST_F(NodeTableWindowTest, ListsAllNodes) {
   EXPECT_EQ(count(), "5 of 5 nodes, 0 selected");
 }
 
+TEST_F(NodeTableWindowTest, CutsNoNameOfAColumn) {
+  const auto expectRoom = [this](const char* longest) {
+    open({writeFork("fork.mtg")});
+    action("show_node_table").setChecked(true);
+    QCoreApplication::processEvents();
+    document().setUnit(LengthUnit::millimeter);
+    const QHeaderView* header = table().horizontalHeader();
+    QStringList names;
+    for (int column = 0; column < nodeColumns; ++column) {
+      names << table().model()->headerData(column, Qt::Horizontal).toString();
+      EXPECT_GE(header->sectionSize(column),
+                header->fontMetrics().horizontalAdvance(names.back()) + 10)
+          << names.back().toStdString();
+    }
+    EXPECT_TRUE(names.contains(longest)) << names.join(", ").toStdString();
+  };
+  expectRoom("Length [mm]");
+  QTranslator french;
+  ASSERT_TRUE(french.load("espalier_fr", ":/translations"));
+  QApplication::installTranslator(&french);
+  restart();
+  expectRoom("Longueur [mm]");
+  QApplication::removeTranslator(&french);
+}
+
 TEST_F(NodeTableWindowTest, HasRoomForCommentsInAWindowOfCommonSize) {
   openTable();
+  document().setUnit(LengthUnit::millimeter);
   QHeaderView* header = table().horizontalHeader();
   constexpr int comment = static_cast<int>(NodeColumn::comment);
   EXPECT_GE(header->sectionSize(comment),

@@ -323,6 +323,7 @@ TEST_F(SealWindowTest, HasACertificateOfOnePage) {
   answer(chooseFile(file), [this] { clickButton("banner_action"); });
   EXPECT_TRUE(
       QTest::qWaitFor([&] { return message().startsWith("Wrote fork.certificate.pdf"); }, 60'000));
+  waitForJob(); // it ends a moment after its message, and nothing is edited meanwhile
   QFile written(file);
   ASSERT_TRUE(written.open(QIODevice::ReadOnly));
   EXPECT_EQ(written.read(4), "%PDF");

@@ -147,17 +147,22 @@ void MainWindow::makePanels(PipelinePanel& pipeline, InspectorPanel& inspector) 
 }
 
 void MainWindow::makeReview() {
-  parts_.make<SealFlow>(SealFlow::Parts{
-      document_, *actions_, parts_.get<ProjectFlow>(), jobs_, *banner_, *this,
-      [this](ToSeal& from) {
-        from.limits = parts_.get<FindingsFlow>().limits();
-        const auto& reference = parts_.get<ReferenceFlow>();
-        from.how = parts_.get<EvaluationFlow>().options();
-        if (reference.isVersion()) return; // it is no structure of another
-        from.reference = reference.skeleton();
-        from.referenceName = reference.name().toStdString();
-      },
-      [this](const Finding& finding) { return parts_.get<FindingsFlow>().isIgnored(finding); }});
+  const auto isLeftOut = [this](const Finding& finding) {
+    return parts_.get<FindingsFlow>().isIgnored(finding) ||
+           parts_.get<DoubtsFlow>().isLeftOut(finding);
+  };
+  parts_.make<SealFlow>(SealFlow::Parts{document_, *actions_, parts_.get<ProjectFlow>(), jobs_,
+                                        *banner_, *this,
+                                        [this](ToSeal& from) {
+                                          from.limits = parts_.get<FindingsFlow>().limits();
+                                          const auto& reference = parts_.get<ReferenceFlow>();
+                                          from.how = parts_.get<EvaluationFlow>().options();
+                                          if (reference.isVersion())
+                                            return; // it is no structure of another
+                                          from.reference = reference.skeleton();
+                                          from.referenceName = reference.name().toStdString();
+                                        },
+                                        isLeftOut});
   auto& editing = parts_.get<Editing>();
   auto& distances = parts_.make<ScanDistances>(document_, queue_);
   auto& errors = parts_.make<ExpectedErrorsFlow>(ExpectedErrorsFlow::Parts{
@@ -166,8 +171,7 @@ void MainWindow::makeReview() {
       ReviewFlow::Parts{
           document_, *view_, *actions_, editing, settings_, *this, reveal(),
           [this]() -> const std::vector<NodeId>& { return parts_.get<ShownFlow>().hidden(); },
-          errors,
-          [this](const Finding& finding) { return parts_.get<FindingsFlow>().isIgnored(finding); },
+          errors, isLeftOut,
           [this](const Finding& finding) { parts_.get<FindingsFlow>().ignore(finding); }},
       (*actions_)["sign_structure"]);
   const PanelDock::Parts window{*actions_, settings_, *this};

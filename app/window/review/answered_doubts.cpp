@@ -66,6 +66,21 @@ bool isAbout(const AnsweredDoubt& answered, const Doubt& doubt, double near) {
          (!answered.foot || (*answered.foot - ends->first).norm() <= near);
 }
 
+bool leavesOut(const AnsweredDoubt& answered) {
+  const bool isNoBranch = answered.kind == Doubt::Kind::missing && !answered.learned.wasWrong;
+  return answered.isIgnored || isNoBranch;
+}
+
+bool isAbout(const AnsweredDoubt& answered, const Finding& finding, double near) {
+  if (finding.kind != Finding::Kind::unexplainedPoints || !answered.foot) return false;
+  const Eigen::Vector3d along = answered.tip - *answered.foot;
+  const double length = along.norm();
+  if (length == 0) return false;
+  const Eigen::Vector3d from = finding.place - *answered.foot;
+  const double share = std::clamp(from.dot(along) / (length * length), 0.0, 1.0);
+  return (from - share * along).norm() <= std::max(near, length / 4) && finding.reach <= length;
+}
+
 std::string textOf(const std::vector<AnsweredDoubt>& answered) {
   if (answered.empty()) return {};
   QJsonArray all;

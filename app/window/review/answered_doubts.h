@@ -2,6 +2,7 @@
 
 #include "core/doubt/learned_odds.h"
 #include "core/project/history.h"
+#include "core/skeleton/finding.h"
 
 #include <optional>
 #include <string>
@@ -26,6 +27,15 @@ struct AnsweredDoubt {
 /// Whether an answer is about a doubt; of branches that would be added, one whose foot and tip are
 /// within `near` [L].
 [[nodiscard]] bool isAbout(const AnsweredDoubt& answered, const Doubt& doubt, double near);
+
+/// Whether it says of points without wood that they need none: there is no branch, or the question
+/// is ignored.
+[[nodiscard]] bool leavesOut(const AnsweredDoubt& answered);
+
+/// Whether the points of a finding are those of a branch that an answer is about: their middle is
+/// near the line from its foot to its tip, within `near` [L] or a quarter of that, and they reach
+/// no farther than it is long. False of any other finding.
+[[nodiscard]] bool isAbout(const AnsweredDoubt& answered, const Finding& finding, double near);
 
 /// Answers as a project keeps them: [{"kind": "end", "node": 12, "said": 0.4, "spacings": 8.5,
 /// "wrong": true, "step": "31"}]; of what is missing with "tip" and "foot": [x, y, z], of what is

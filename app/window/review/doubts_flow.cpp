@@ -187,7 +187,7 @@ void DoubtsFlow::list() {
         held_, [&](const AnsweredDoubt& one) { return isAbout(one, doubt, 4 * spacing); });
     if (answered == held_.end())
       left.push_back(doubt);
-    else if (answered->isIgnored)
+    else if (leavesOut(*answered))
       ignored.push_back(doubt);
   }
   doubts_ = learned_.adjusted(std::move(left), spacing);
@@ -204,10 +204,17 @@ void DoubtsFlow::ignore(const Doubt& doubt) {
 void DoubtsFlow::stopIgnoring(const Doubt& doubt) {
   const double near = 4 * parts_.document.scale().spacing;
   std::erase_if(answered_, [&](const AnsweredDoubt& one) {
-    return one.isIgnored && isAbout(one, doubt, near);
+    return leavesOut(one) && isAbout(one, doubt, near);
   });
   learnAnew();
   keepAnswers();
+}
+
+bool DoubtsFlow::isLeftOut(const Finding& finding) const {
+  const double near = 4 * parts_.document.scale().spacing;
+  return std::ranges::any_of(held_, [&](const AnsweredDoubt& one) {
+    return leavesOut(one) && isAbout(one, finding, near);
+  });
 }
 
 bool DoubtsFlow::isListed(const Doubt& doubt) const {
@@ -251,8 +258,8 @@ void DoubtsFlow::note(const Doubt& doubt, LearnedAnswer learned, bool wasWrong, 
 void DoubtsFlow::note(AnsweredDoubt answered, const Doubt& doubt) {
   const double near = 4 * parts_.document.scale().spacing;
   std::erase_if(answered_, [&](const AnsweredDoubt& before) { // undone, and answered otherwise now
-    return before.isIgnored ? isAbout(before, doubt, near)
-                            : !holds(before) && isAbout(before, doubt, 0);
+    return leavesOut(before) ? isAbout(before, doubt, near)
+                             : !holds(before) && isAbout(before, doubt, 0);
   });
   answered_.push_back(answered);
   learnAnew();

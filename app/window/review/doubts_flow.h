@@ -41,9 +41,12 @@ public:
 
   /// Those that are to be asked, by their gain as learned.
   [[nodiscard]] const std::vector<Doubt>& doubts() const { return doubts_; }
-  [[nodiscard]] const std::vector<Doubt>& ignored() const { return ignored_; } // likewise
-  void ignore(const Doubt& doubt); // it is not asked until it is ignored no more
-  void stopIgnoring(const Doubt& doubt);
+  /// Likewise those that are ignored, and missing branches that are said to be none.
+  [[nodiscard]] const std::vector<Doubt>& ignored() const { return ignored_; }
+  /// Whether an answer that holds is that no branch is along the points of a finding.
+  [[nodiscard]] bool isLeftOut(const Finding& finding) const;
+  void ignore(const Doubt& doubt);       // it is not asked until it is ignored no more
+  void stopIgnoring(const Doubt& doubt); // also if it was said to be none
   [[nodiscard]] bool isKnown() const { return ratings_.has_value(); } // they were found once
   /// Those of the plant as it is are being found.
   [[nodiscard]] bool isBusy() const override;

@@ -65,5 +65,28 @@ TEST(AnsweredDoubts, AreAboutTheSameWoodWhateverWasDoubtedOfIt) {
   EXPECT_EQ(answeredFrom(textOf(std::vector{older})), std::vector{older});
 }
 
+TEST(AnsweredDoubts, ThatNoBranchIsThereAreAboutTheFindingOfItsPoints) {
+  AnsweredDoubt answered = answeredMissing(); // 2.5 long
+  EXPECT_TRUE(leavesOut(answered));
+  const Finding points{
+      .kind = Finding::Kind::unexplainedPoints, .place = {0.75, -1, 0.5}, .reach = 1.3};
+  EXPECT_TRUE(isAbout(answered, points, 0.1));
+  Finding beside = points;
+  beside.place.z() = 1;
+  EXPECT_FALSE(isAbout(answered, beside, 0.1));
+  EXPECT_TRUE(isAbout(answered, beside, 1));
+  Finding larger = points;
+  larger.reach = 3;
+  EXPECT_FALSE(isAbout(answered, larger, 1)) << "more than that branch has no wood";
+  Finding turn = points;
+  turn.kind = Finding::Kind::sharpTurn;
+  EXPECT_FALSE(isAbout(answered, turn, 1));
+  answered.learned.wasWrong = true; // there is a branch
+  EXPECT_FALSE(leavesOut(answered));
+  answered.isIgnored = true;
+  EXPECT_TRUE(leavesOut(answered));
+  EXPECT_FALSE(leavesOut(answeredEnd()));
+}
+
 } // namespace
 } // namespace espalier

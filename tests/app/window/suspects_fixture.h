@@ -3,6 +3,7 @@
 #include "app/window/review/doubts_flow.h"
 #include "app/window/review/findings_flow.h"
 #include "core/skeleton/edits.h"
+#include "core/skeleton/select.h"
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/shared_data.h"
 #include "ui/document/plant_document.h"
@@ -65,6 +66,26 @@ protected:
   std::size_t first(bool isDoubt) {
     return static_cast<std::size_t>(std::ranges::find(rows(), isDoubt, &Suspect::isDoubt) -
                                     rows().begin());
+  }
+  /// One of a simulated plant, whose points are then without wood.
+  void removeABranch() {
+    const Skeleton plant = document().skeleton();
+    const auto length = [&](NodeId id) { return downstream(plant, {id}).size(); };
+    const std::vector<NodeId> ids = plant.ids();
+    const auto branch = std::ranges::find_if(ids, [&](NodeId id) {
+      return plant[id].parent && plant[id].edge == EdgeType::branching && length(id) >= 35 &&
+             length(id) <= 80;
+    });
+    ASSERT_NE(branch, ids.end());
+    document().edit("Remove", [&](SkeletonEditor& editor) { removeSubtree(editor, *branch); });
+    ASSERT_TRUE(waitForAll());
+  }
+  /// Of a doubt about points that a finding is about, too.
+  std::size_t rowOfATwin() {
+    const auto row = std::ranges::find_if(
+        rows(), [](const Suspect& one) { return one.isDoubt() && one.twin.has_value(); });
+    EXPECT_NE(row, rows().end());
+    return static_cast<std::size_t>(row - rows().begin());
   }
   /// Each doubt is a row, and each finding but bare twigs that a doubt is about, too.
   void expectAllListed() {

@@ -1,5 +1,4 @@
 // One list of all that may be wrong: findings of the checks and doubts.
-#include "core/skeleton/select.h"
 #include "tests/app/window/suspects_fixture.h"
 #include "ui/document/doubt_text.h"
 #include "ui/panels/message_banner.h"
@@ -37,21 +36,9 @@ TEST_F(SuspectsTest, HasAllFindingsAndDoubtsByTheirGain) {
   }
 }
 
-// A simulated plant, from which a branch is taken.
 TEST_F(SuspectsTest, ABareTwigThatIsInDoubtIsOneRow) {
-  const Skeleton plant = document().skeleton();
-  const auto length = [&](NodeId id) { return downstream(plant, {id}).size(); };
-  const std::vector<NodeId> ids = plant.ids();
-  const auto branch = std::ranges::find_if(ids, [&](NodeId id) {
-    return plant[id].parent && plant[id].edge == EdgeType::branching && length(id) >= 35 &&
-           length(id) <= 80;
-  });
-  ASSERT_NE(branch, ids.end());
-  document().edit("Remove", [&](SkeletonEditor& editor) { removeSubtree(editor, *branch); });
-  ASSERT_TRUE(waitForAll());
-  const auto row = std::ranges::find_if(
-      rows(), [&](const Suspect& one) { return one.isDoubt() && one.twin.has_value(); });
-  ASSERT_NE(row, rows().end());
+  removeABranch();
+  const auto row = rows().begin() + static_cast<std::ptrdiff_t>(rowOfATwin());
   const Suspect doubt = *row;
   EXPECT_EQ(doubts()[doubt.number].kind, Doubt::Kind::missing);
   const Finding finding = findings()[*doubt.twin];
@@ -82,6 +69,40 @@ TEST_F(SuspectsTest, ABareTwigThatIsInDoubtIsOneRow) {
   key(Qt::Key_F4, Qt::ControlModifier);
   ASSERT_TRUE(waitForAll());
   EXPECT_FALSE(isListed()) << "it is ignored as the doubt is";
+}
+
+TEST_F(SuspectsTest, ABareTwigThatIsAnsweredNoBranchIsNoFindingUntilTheAnswerIsTakenBack) {
+  removeABranch();
+  const std::size_t at = rowOfATwin();
+  const Finding finding = findings()[*rows()[at].twin];
+  const Doubt doubt = doubts()[rows()[at].number];
+  const auto isOpen = [&] {
+    choose(kinds(), "All kinds");
+    return std::ranges::any_of(rows(), [&](const Suspect& one) {
+      return one.isDoubt() ? isSame(doubts()[one.number], doubt, 0)
+                           : isSame(findings()[one.number], finding);
+    });
+  };
+  auto& answers = window().part<DoubtsFlow>();
+  EXPECT_FALSE(answers.isLeftOut(finding));
+  go(at);
+  key(Qt::Key_1); // no branch
+  key(Qt::Key_Escape);
+  ASSERT_TRUE(waitForAll());
+  EXPECT_FALSE(isOpen());
+  EXPECT_TRUE(answers.isLeftOut(finding)) << "nor is it open where the plant is signed";
+  choose(kinds(), "Ignored (1)");
+  panel().setCurrent(0);
+  key(Qt::Key_F4, Qt::ControlModifier);
+  EXPECT_TRUE(isOpen()) << "it is shown again";
+  EXPECT_FALSE(answers.isAnswered(doubt));
+  EXPECT_FALSE(answers.isLeftOut(finding));
+  go(rowOfATwin());
+  key(Qt::Key_1);
+  key(Qt::Key_Backspace);
+  key(Qt::Key_Escape);
+  ASSERT_TRUE(waitForAll());
+  EXPECT_TRUE(isOpen()) << "its answer is taken back";
 }
 
 TEST_F(SuspectsTest, ListsOneKindAlone) {

@@ -33,7 +33,7 @@ void writeRecords(const CleanFlags& flags, const PointCloud& cloud,
     steps.push_back({{"step", record.step->name},
                      {"method", record.method->name},
                      {"left_out", record.leftOut},
-                     {"notes", record.notes}});
+                     {"notes", eachInEnglish(record.notes)}});
   writeJson(flags.pipeline.json,
             {{"scan", flags.pipeline.scan},
              {"part", part},
@@ -65,7 +65,7 @@ void clean(const CleanFlags& flags) {
   terminal.clear();
   for (const CleaningRecord& record : cleaned.steps) {
     printLine(recordText(record));
-    printNotes(record.notes);
+    printNotes(eachInEnglish(record.notes));
   }
   const PointCloud kept = without(*cloud, cleaned.leftOut);
   writeAndReport(pipeline.output, kept, kept.positions(), terminal.progress());

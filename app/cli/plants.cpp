@@ -51,7 +51,7 @@ void plants(PlantsFlags flags) {
   const auto written = writePlot(*cloud, cut.plants, files, terminal.progress().part(0.9, 1));
   terminal.clear();
   for (const CleaningRecord& record : cut.steps)
-    printNotes(record.notes);
+    printNotes(eachInEnglish(record.notes));
   for (const PlantFile& plant : written)
     printWritten(plant.project.string() + ": " +
                  counted(static_cast<std::size_t>(plant.points), "point"));

@@ -78,7 +78,7 @@ void smooth(const SmoothFlags& flags) {
   terminal.check();
   terminal.clear();
   for (const CleaningRecord& record : smoothed.steps)
-    printNotes(record.notes);
+    printNotes(eachInEnglish(record.notes));
   const std::string unit = pipeline.unit.empty() ? "" : " " + pipeline.unit;
   printLine("moved by " + inShort(smoothed.moved) + unit + " in the mean");
   if (widest)

@@ -198,7 +198,7 @@ Json statistics(const Reconstruction& reconstruction,
       else
         step["options"][name] = value;
     }
-    if (!record.notes.empty()) step["notes"] = record.notes;
+    if (!record.notes.empty()) step["notes"] = eachInEnglish(record.notes);
     steps.push_back(std::move(step));
   }
   Json ends = reconstruction.ends ? toJson(*reconstruction.ends) : Json(nullptr);

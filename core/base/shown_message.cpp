@@ -21,6 +21,13 @@ std::string inEnglish(const ShownMessage& message) {
   return text;
 }
 
+std::vector<std::string> eachInEnglish(const std::vector<ShownMessage>& messages) {
+  std::vector<std::string> texts;
+  for (const ShownMessage& message : messages)
+    texts.push_back(inEnglish(message));
+  return texts;
+}
+
 ShownError::ShownError(ShownMessage message)
     : Error(inEnglish(message)), message_(std::move(message)) {}
 

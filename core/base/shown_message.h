@@ -21,6 +21,8 @@ struct ShownMessage {
 /// The whole sentence in English.
 [[nodiscard]] std::string inEnglish(const ShownMessage& message);
 
+[[nodiscard]] std::vector<std::string> eachInEnglish(const std::vector<ShownMessage>& messages);
+
 /// An Error that the window shows in its language.
 class ShownError : public Error {
 public:

@@ -15,7 +15,7 @@ struct CleaningRecord {
   const Step* step = nullptr;
   const Method* method = nullptr;
   Eigen::Index leftOut = 0; // points
-  std::vector<std::string> notes;
+  std::vector<ShownMessage> notes;
 };
 
 struct CleanedScan {

@@ -95,7 +95,7 @@ Method valueMethod(const char* name, const char* label, const char* help, const 
                                                        const Progress&) {
             const auto& all = valuesOf(*state.cloud);
             if (all.empty()) {
-              state.notes.emplace_back(without);
+              state.notes.push_back({without});
               return;
             }
             const std::vector<bool> isOut = isOutside(all, table.with(values));

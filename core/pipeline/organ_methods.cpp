@@ -41,21 +41,21 @@ bool isAmong(Organ organ, LeftOutOrgans organs) {
   return false;
 }
 
-/// "of 1000 points, 62 % are of wood, 3 % of petioles, 35 % of blades".
-std::string sharesText(const std::vector<Organ>& organs) {
-  constexpr std::array names = {"wood", "petioles", "blades", "needles"};
-  std::string text = "of " + std::to_string(organs.size()) + " points";
-  const char* separator = ", ";
-  const char* verb = " % are of ";
+/// @param byHand  how many of them were set by hand
+ShownMessage noteOnShares(const std::vector<Organ>& organs, std::size_t byHand) {
+  ShownMessage note{byHand == 0
+                        ? Shown::tr("of %1 points, %2 % are of wood, %3 % of petioles, %4 % of "
+                                    "blades and %5 % of needles")
+                        : Shown::tr("of %1 points, %2 % are of wood, %3 % of petioles, %4 % of "
+                                    "blades and %5 % of needles; %6 were set by hand"),
+                    {std::to_string(organs.size())}};
   for (const Organ organ : allOrgans) {
     const double share = 100 * static_cast<double>(std::ranges::count(organs, organ)) /
                          static_cast<double>(organs.size());
-    if (share < 0.5) continue;
-    text += separator + std::to_string(std::lround(share)) + verb +
-            names[static_cast<std::size_t>(organ)];
-    verb = " % of ";
+    note.values.push_back(std::to_string(std::lround(share)));
   }
-  return text;
+  note.values.push_back(std::to_string(byHand));
+  return note;
 }
 
 std::optional<Eigen::Index> chosenRootAmong(const PipelineState& state,
@@ -106,14 +106,13 @@ ClassifiedPoints classified(PipelineState& state, const Progress& progress) {
 void leaveOutLeaves(PipelineState& state, LeftOutOrgans which, const Progress& progress) {
   const auto [columns, organs, byHand] = classified(state, progress);
   if (columns.empty()) return;
-  state.notes.push_back(sharesText(organs) +
-                        (byHand > 0 ? "; " + std::to_string(byHand) + " were set by hand" : ""));
+  state.notes.push_back(noteOnShares(organs, byHand));
   std::vector<bool> isOut(organs.size());
   for (std::size_t i = 0; i < organs.size(); ++i)
     isOut[i] = isAmong(organs[i], which);
   constexpr std::ptrdiff_t fewest = 20; // points that may still be a plant
   if (std::ranges::count(isOut, false) < fewest) {
-    state.notes.emplace_back("no wood would be left: nothing is left out");
+    state.notes.push_back({Shown::tr("no wood would be left: nothing is left out")});
     return;
   }
   leaveOut(state, columns, isOut);
@@ -151,7 +150,7 @@ Method shapesMethod() {
 
 void addMidlines(PipelineState& state, const MidlineOptions& options, const Progress& progress) {
   if (!state.blades) {
-    state.notes.emplace_back("no blades are known: turn on the step Leaves");
+    state.notes.push_back({Shown::tr("no blades are known: turn on the step Leaves")});
     return;
   }
   Eigen::Matrix3Xd blades(3, std::ssize(*state.blades));

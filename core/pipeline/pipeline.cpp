@@ -187,7 +187,7 @@ struct Pipeline::Kept {
 std::vector<std::string> notesOf(const Reconstruction& reconstruction) {
   std::vector<std::string> notes;
   for (const StepRecord& record : reconstruction.steps)
-    for (const std::string& note : record.notes)
+    for (const std::string& note : eachInEnglish(record.notes))
       notes.push_back(stepNamed(record.step).label + ": " + note);
   return notes;
 }

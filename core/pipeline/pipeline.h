@@ -15,7 +15,7 @@ struct StepRecord {
   std::string method;
   std::vector<std::pair<std::string, double>> values; // option -> value used
   bool isNew = true;                                  // false: the result was at hand
-  std::vector<std::string> notes = {};                // what is to be said of its result
+  std::vector<ShownMessage> notes = {};               // what is to be said of its result
   PlantScale scale = {};                              // that its rules follow from
   Eigen::Index leftOut = 0;                           // points it left out, of those that count
 };
@@ -35,7 +35,7 @@ struct Reconstruction {
   std::vector<StepRecord> steps; // those that are on
 };
 
-/// The notes of all steps of a run, each behind the label of its step.
+/// The notes of all steps of a run in English, each behind the label of its step.
 [[nodiscard]] std::vector<std::string> notesOf(const Reconstruction& reconstruction);
 
 /// From scan to skeleton with radii, step by step.

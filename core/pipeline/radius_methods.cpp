@@ -17,7 +17,8 @@ namespace {
 constexpr auto thesisLaw =
     "law of the structures published with the thesis of C. Preuksakarn, 2012";
 
-constexpr auto noRadii = "no radius is measured, so there are no radii: check the scan";
+constexpr const char* noRadii =
+    Shown::tr("no radius is measured, so there are no radii: check the scan");
 
 struct BranchOptions {
   double branchShare = 1;
@@ -153,7 +154,7 @@ Method fusedMethod() {
             const Eigen::Matrix3Xf kept = keptPositions(state);
             const double spacing = pointSpacing(kept, progress);
             if (!(spacing > 0)) { // all points are in one place
-              state.notes.emplace_back(noRadii);
+              state.notes.push_back({noRadii});
               return setRadii(state, std::vector<KnownRadius>(state.skeleton->idEnd()));
             }
             options.cylinders.spacing = spacing;
@@ -167,35 +168,39 @@ Method fusedMethod() {
           }};
 }
 
-/// What is to be said of ends that were not both measured; empty if they were.
-std::string noteOf(const PipeEnds& ends) {
-  std::ostringstream text;
-  text << std::setprecision(3);
-  const auto guess = [&text](const char* from) {
-    text << ": radii are a guess; they have the exponent of published structures, 1/"
-         << publishedPipe << ", from " << from;
+/// What is to be said of ends that were not both measured.
+std::optional<ShownMessage> noteOf(const PipeEnds& ends) {
+  const auto inShort = [](double value) {
+    std::ostringstream text;
+    text << std::setprecision(3) << value;
+    return text.str();
   };
+  const std::string exponent = inShort(publishedPipe);
   switch (ends.basis) {
   case PipeBasis::foot:
-    return {};
+    break;
   case PipeBasis::footOnly:
     if (ends.footToTip > 0)
-      text << "the foot measures " << ends.footToTip << " times the tips, which fits no pipe model";
-    else
-      text << "nothing is measured at the tips";
-    guess("the foot up");
-    break;
+      return ShownMessage{
+          Shown::tr("the foot measures %1 times the tips, which fits no pipe model: radii are a "
+                    "guess; they have the exponent of published structures, 1/%2, from the foot "
+                    "up"),
+          {inShort(ends.footToTip), exponent}};
+    return ShownMessage{Shown::tr("nothing is measured at the tips: radii are a guess; they have "
+                                  "the exponent of published structures, 1/%1, from the foot up"),
+                        {exponent}};
   case PipeBasis::tipsOnly:
-    text << "nothing is measured at the foot";
-    guess("the tips down");
-    break;
+    return ShownMessage{Shown::tr("nothing is measured at the foot: radii are a guess; they have "
+                                  "the exponent of published structures, 1/%1, from the tips down"),
+                        {exponent}};
   case PipeBasis::nothing:
-    if (!(ends.radii.apexRadius > 0)) return noRadii;
-    text << "no radius is measured";
-    guess("tips half as thick as the points are apart");
-    break;
+    if (!(ends.radii.apexRadius > 0)) return ShownMessage{noRadii};
+    return ShownMessage{Shown::tr("no radius is measured: radii are a guess; they have the "
+                                  "exponent of published structures, 1/%1, from tips half as "
+                                  "thick as the points are apart"),
+                        {exponent}};
   }
-  return text.str();
+  return std::nullopt;
 }
 
 /// What is measured, as it would be if all was known that the fusion knows: thin wood is thinner.
@@ -223,7 +228,7 @@ NodeCountPipeOptions pipeEndsOf(PipelineState& state, const Progress& progress) 
       measuredWood(*state.skeleton, points, {.spacing = spacing}, progress.part(0.6, 1));
   const PipeEnds ends = pipeEnds(
       *state.skeleton, lowest, correctedWood(*state.skeleton, points, wood, spacing), spacing / 2);
-  if (std::string note = noteOf(ends); !note.empty()) state.notes.push_back(std::move(note));
+  if (auto note = noteOf(ends)) state.notes.push_back(*std::move(note));
   return ends.radii;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/shown_message.h"
 #include "core/cloud/organ_marks.h"
 #include "core/cloud/point_cloud.h"
 #include "core/decide/decide_ends.h"
@@ -49,7 +50,7 @@ struct PipelineState {
   /// Of the whole scan, if this is a part of one: for contractions that follow densities.
   std::optional<DensityLevels> densityLevels = {};
   /// What the last step has to say of its result: sentences without a full stop.
-  std::vector<std::string> notes = {};
+  std::vector<ShownMessage> notes = {};
   Eigen::Index newlyLeftOut = 0; // points that the last step left out
   UpAxis up = UpAxis::z;
   std::optional<Eigen::Vector3d> chosenRoot = {}; // [L], frame of the file; by the user

@@ -21,16 +21,19 @@ namespace {
 
 /// Of a plant that had many more ends than shoots, by the odds that are used by default, that it
 /// has; else nothing.
-std::string noteOnEnds(const std::vector<EndDecision>& decisions, const EndOptions& options) {
+std::optional<ShownMessage> noteOnEnds(const std::vector<EndDecision>& decisions,
+                                       const EndOptions& options) {
   constexpr std::ptrdiff_t few = 25; // ends: of a small plant fewer stay
   constexpr std::ptrdiff_t many = 5; // times as many as stay
   const std::ptrdiff_t stay = std::ranges::count_if(decisions, &EndDecision::stays);
   const std::ptrdiff_t gone = std::ssize(decisions) - stay;
   if (options.leastProbability > EndOptions().leastProbability || stay < few || gone < many * stay)
-    return {};
-  return std::to_string(gone) + " of " + std::to_string(decisions.size()) +
-         " ends are removed, most of them probably edges of leaves or needles, and more of these "
-         "may be left: for a herb or a seedling, try the settings Leaves (--preset leaves)";
+    return std::nullopt;
+  return ShownMessage{
+      Shown::tr("%1 of %2 ends are removed, most of them probably edges of leaves or needles, and "
+                "more of these may be left: for a herb or a seedling, try the settings Leaves "
+                "(--preset leaves)"),
+      {std::to_string(gone), std::to_string(decisions.size())}};
 }
 
 Method oddsMethod() {
@@ -56,8 +59,8 @@ Method oddsMethod() {
             withDecidedEnds(*state.skeleton, keptPositions(state), state.cloud->origin(),
                             state.extent.scale, options, progress);
         state.setSkeleton(std::move(decided.skeleton));
-        if (std::string note = noteOnEnds(decided.decisions, options); !note.empty())
-          state.notes.push_back(std::move(note));
+        if (auto note = noteOnEnds(decided.decisions, options))
+          state.notes.push_back(*std::move(note));
         state.ends = std::make_shared<const std::vector<EndDecision>>(std::move(decided.decisions));
       }};
 }

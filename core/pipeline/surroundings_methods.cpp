@@ -61,26 +61,33 @@ Method groundMethod() {
           }};
 }
 
+struct NotesOnLeftOut {
+  const char* none;
+  const char* one;
+  const char* many; // %1 of them
+};
+
 /// Leaves out the points of all that were found, and says how many there are. What is nearly all of
 /// a scan is the plant itself.
 template <class Found>
 void leaveOutAll(PipelineState& state, const StandingPoints& standing,
-                 const std::vector<Found>& found, const char* one, const char* many) {
+                 const std::vector<Found>& found, const NotesOnLeftOut& notes) {
   constexpr double most = 0.9; // of the points
   std::size_t points = 0;
   for (const Found& each : found)
     points += each.points.size();
   if (found.empty() ||
       static_cast<double>(points) > most * static_cast<double>(standing.columns.size())) {
-    state.notes.push_back(std::string("no ") + one + " was found");
+    state.notes.push_back({notes.none});
     return;
   }
   for (const Found& each : found)
     for (const Eigen::Index point : each.points)
       state.isLeftOut[static_cast<std::size_t>(standing.columns[static_cast<std::size_t>(point)])] =
           true;
-  state.notes.push_back(std::to_string(found.size()) + " " + (found.size() == 1 ? one : many) +
-                        " left out");
+  state.notes.push_back(found.size() == 1
+                            ? ShownMessage{notes.one}
+                            : ShownMessage{notes.many, {std::to_string(found.size())}});
 }
 
 Method poleMethod() {
@@ -121,7 +128,8 @@ Method poleMethod() {
             leaveOutFarPoints(state);
             const StandingPoints standing = standingOf(state);
             leaveOutAll(state, standing, polesIn(standing.positions, table.with(values), progress),
-                        "pole", "poles");
+                        {Shown::tr("no pole was found"), Shown::tr("1 pole left out"),
+                         Shown::tr("%1 poles left out")});
           }};
 }
 
@@ -153,7 +161,8 @@ Method wireMethod() {
             leaveOutFarPoints(state);
             const StandingPoints standing = standingOf(state);
             leaveOutAll(state, standing, wiresIn(standing.positions, table.with(values), progress),
-                        "wire", "wires");
+                        {Shown::tr("no wire was found"), Shown::tr("1 wire left out"),
+                         Shown::tr("%1 wires left out")});
           }};
 }
 
@@ -244,7 +253,7 @@ Method plantMethod() {
             const PlantParts parts = plantsOfState(state, {}, options.plants, progress);
             const auto count = static_cast<std::uint32_t>(parts.sizes.size());
             if (count == 0) {
-              state.notes.emplace_back("no stem was found, so all points are kept");
+              state.notes.push_back({Shown::tr("no stem was found, so all points are kept")});
               return;
             }
             const std::uint32_t number =
@@ -253,8 +262,8 @@ Method plantMethod() {
             for (std::size_t i = 0; i < parts.ofPoint.size(); ++i)
               if (parts.ofPoint[i] != number)
                 state.isLeftOut[static_cast<std::size_t>(standing.columns[i])] = true;
-            state.notes.push_back("plant " + std::to_string(number) + " of " +
-                                  std::to_string(count) + " kept");
+            state.notes.push_back({Shown::tr("plant %1 of %2 kept"),
+                                   {std::to_string(number), std::to_string(count)}});
           }};
 }
 

@@ -100,8 +100,9 @@ Method asNeededMethod() {
             leaveOut(state, kept, *isOut);
             const auto left = std::ranges::count(*isOut, false);
             if (left < std::ssize(kept))
-              state.notes.push_back(std::to_string(left) + " of " + std::to_string(kept.size()) +
-                                    " points are used: more do not make the skeleton better");
+              state.notes.push_back({Shown::tr("%1 of %2 points are used: more do not make the "
+                                               "skeleton better"),
+                                     {std::to_string(left), std::to_string(kept.size())}});
           }};
 }
 

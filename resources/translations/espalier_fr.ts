@@ -7419,6 +7419,11 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <source>%1 nodes reconstructed in %2 s</source>
         <translation>%1 nœuds reconstruits en %2 s</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>step, note</comment>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
 </context>
 <context>
     <name>espalier::ReferenceFlow</name>
@@ -12580,6 +12585,82 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>Two sides of wood that lie nearer to each other than this, in bin widths, and part below and meet above, are one; 0 keeps both.</source>
         <translation>Deux côtés du bois plus proches l’un de l’autre que cela, en largeurs de classe, qui se séparent plus bas et se rejoignent plus haut, n’en font qu’un&#xa0;; 0 garde les deux.</translation>
+    </message>
+    <message>
+        <source>of %1 points, %2 % are of wood, %3 % of petioles, %4 % of blades and %5 % of needles</source>
+        <translation>sur %1 points, %2&#xa0;% sont de bois, %3&#xa0;% de pétioles, %4&#xa0;% de limbes et %5&#xa0;% d’aiguilles</translation>
+    </message>
+    <message>
+        <source>of %1 points, %2 % are of wood, %3 % of petioles, %4 % of blades and %5 % of needles; %6 were set by hand</source>
+        <translation>sur %1 points, %2&#xa0;% sont de bois, %3&#xa0;% de pétioles, %4&#xa0;% de limbes et %5&#xa0;% d’aiguilles&#xa0;; %6 ont été fixés à la main</translation>
+    </message>
+    <message>
+        <source>no wood would be left: nothing is left out</source>
+        <translation>il ne resterait pas de bois&#xa0;: rien n’est écarté</translation>
+    </message>
+    <message>
+        <source>no blades are known: turn on the step Leaves</source>
+        <translation>aucun limbe n’est connu&#xa0;: activez l’étape Feuilles</translation>
+    </message>
+    <message>
+        <source>no radius is measured, so there are no radii: check the scan</source>
+        <translation>aucun rayon n’est mesuré, il n’y a donc pas de rayons&#xa0;: vérifiez le scan</translation>
+    </message>
+    <message>
+        <source>the foot measures %1 times the tips, which fits no pipe model: radii are a guess; they have the exponent of published structures, 1/%2, from the foot up</source>
+        <translation>le pied mesure %1&#xa0;fois les extrémités, ce qui ne convient à aucun modèle des tuyaux&#xa0;: les rayons sont une conjecture&#xa0;; ils ont l’exposant de structures publiées, 1/%2, à partir du pied</translation>
+    </message>
+    <message>
+        <source>nothing is measured at the tips: radii are a guess; they have the exponent of published structures, 1/%1, from the foot up</source>
+        <translation>rien n’est mesuré aux extrémités&#xa0;: les rayons sont une conjecture&#xa0;; ils ont l’exposant de structures publiées, 1/%1, à partir du pied</translation>
+    </message>
+    <message>
+        <source>nothing is measured at the foot: radii are a guess; they have the exponent of published structures, 1/%1, from the tips down</source>
+        <translation>rien n’est mesuré au pied&#xa0;: les rayons sont une conjecture&#xa0;; ils ont l’exposant de structures publiées, 1/%1, à partir des extrémités</translation>
+    </message>
+    <message>
+        <source>no radius is measured: radii are a guess; they have the exponent of published structures, 1/%1, from tips half as thick as the points are apart</source>
+        <translation>aucun rayon n’est mesuré&#xa0;: les rayons sont une conjecture&#xa0;; ils ont l’exposant de structures publiées, 1/%1, à partir d’extrémités moitié moins épaisses que l’écart entre les points</translation>
+    </message>
+    <message>
+        <source>%1 of %2 ends are removed, most of them probably edges of leaves or needles, and more of these may be left: for a herb or a seedling, try the settings Leaves (--preset leaves)</source>
+        <translation>%1&#xa0;extrémités sur %2 sont supprimées, la plupart sans doute des bords de feuilles ou des aiguilles, et il peut en rester&#xa0;: pour une herbe ou une plantule, essayez les réglages Feuilles (--preset leaves)</translation>
+    </message>
+    <message>
+        <source>no pole was found</source>
+        <translation>aucun poteau n’a été trouvé</translation>
+    </message>
+    <message>
+        <source>1 pole left out</source>
+        <translation>1&#xa0;poteau écarté</translation>
+    </message>
+    <message>
+        <source>%1 poles left out</source>
+        <translation>%1&#xa0;poteaux écartés</translation>
+    </message>
+    <message>
+        <source>no wire was found</source>
+        <translation>aucun câble n’a été trouvé</translation>
+    </message>
+    <message>
+        <source>1 wire left out</source>
+        <translation>1&#xa0;câble écarté</translation>
+    </message>
+    <message>
+        <source>%1 wires left out</source>
+        <translation>%1&#xa0;câbles écartés</translation>
+    </message>
+    <message>
+        <source>no stem was found, so all points are kept</source>
+        <translation>aucune tige n’a été trouvée, tous les points sont donc gardés</translation>
+    </message>
+    <message>
+        <source>plant %1 of %2 kept</source>
+        <translation>plante %1 sur %2 gardée</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points are used: more do not make the skeleton better</source>
+        <translation>%1&#xa0;points sur %2 sont utilisés&#xa0;: davantage n’améliore pas le squelette</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include "ui/document/hand_work_text.h"
 #include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
+#include "ui/document/shown_message.h"
 #include "ui/document/shown_text.h"
 #include "ui/jobs/job_slot.h"
 
@@ -180,13 +181,15 @@ void ReconstructFlow::show(const Reconstruction& result, const Step* last,
   const QString time = seconds < 0.1 ? tr("less than 0.1") : numberText(seconds, 1);
   const std::string end = last != nullptr ? last->name : std::string();
   notes_.clear();
-  for (const StepRecord& record : result.steps)
-    for (const std::string& note : record.notes)
-      notes_[record.step] += (notes_[record.step].isEmpty() ? QString() : QStringLiteral("; ")) +
-                             QString::fromStdString(note);
   QString said;
-  for (const std::string& note : notesOf(result))
-    said += QStringLiteral("; ") + QString::fromStdString(note);
+  for (const StepRecord& record : result.steps)
+    for (const ShownMessage& message : record.notes) {
+      const QString note = shownText(message);
+      QString& ofStep = notes_[record.step];
+      ofStep += (ofStep.isEmpty() ? QString() : QStringLiteral("; ")) + note;
+      said += QStringLiteral("; ") +
+              tr("%1: %2", "step, note").arg(shownText(stepNamed(record.step).label), note);
+    }
   if (last != nullptr && result.skeleton->isEmpty()) {
     document_.contract(shownText(last->label), result.contracted);
     emit done(tr("%1 done in %2 s").arg(shownText(last->label), time), end);

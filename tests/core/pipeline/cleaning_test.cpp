@@ -224,7 +224,7 @@ TEST(Cleaning, SaysWhatEachStepLeftOut) {
   const auto poles = std::ranges::find(
       cleaned.steps, "poles", [](const CleaningRecord& record) { return record.step->name; });
   ASSERT_NE(poles, cleaned.steps.end());
-  EXPECT_THAT(poles->notes, ElementsAre("1 pole left out"));
+  EXPECT_THAT(eachInEnglish(poles->notes), ElementsAre("1 pole left out"));
 }
 
 TEST(Cleaning, ReportsWhatCannotBeDone) {

@@ -58,7 +58,7 @@ TEST(NeededPoints, FindWideLeavesAsOneAxisEach) {
   const Reconstruction some = Pipeline().run(denseGrass(), prunedByLength({}));
   ASSERT_EQ(some.steps.front().step, "thin");
   EXPECT_GT(some.steps.front().leftOut, denseGrass()->size() / 2);
-  EXPECT_THAT(some.steps.front().notes.at(0), HasSubstr("points are used"));
+  EXPECT_THAT(inEnglish(some.steps.front().notes.at(0)), HasSubstr("points are used"));
   EXPECT_GT(tipsOf(*all.skeleton), 15U);
   EXPECT_LE(tipsOf(*some.skeleton), 9U);
   EXPECT_GE(tipsOf(*some.skeleton), 4U);

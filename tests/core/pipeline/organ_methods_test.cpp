@@ -70,7 +70,8 @@ TEST(LeavesStep, TakesOrgansThatWereSetByHand) {
                        .with(PointSet::of({cloud->size() + 7}), Organ::blade); // of no point
   const CleanedScan by = cleanedScan(cloud, options);
   EXPECT_EQ(by.leftOut, (before - some) | stem);
-  EXPECT_THAT(by.steps.front().notes, testing::Contains(HasSubstr("4 were set by hand")));
+  EXPECT_THAT(eachInEnglish(by.steps.front().notes),
+              testing::Contains(HasSubstr("4 were set by hand")));
 }
 
 TEST(LeavesStep, RunsAgainWhereOrgansAreSetByHand) {
@@ -168,7 +169,8 @@ TEST(LeavesStep, KeepsAllWhereItFindsNoWood) {
     sheet.positions.emplace_back(random.uniform(), random.uniform(), 0);
   const auto cloud = std::make_shared<const PointCloud>(std::move(sheet));
   const CleanedScan cleaned = cleanedScan(cloud, withoutLeaves("all"));
-  EXPECT_THAT(cleaned.steps.front().notes, testing::Contains(HasSubstr("nothing is left out")));
+  EXPECT_THAT(eachInEnglish(cleaned.steps.front().notes),
+              testing::Contains(HasSubstr("nothing is left out")));
   EXPECT_EQ(cleaned.steps.front().leftOut, 0);
 }
 

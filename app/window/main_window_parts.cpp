@@ -151,18 +151,16 @@ void MainWindow::makeReview() {
     return parts_.get<FindingsFlow>().isIgnored(finding) ||
            parts_.get<DoubtsFlow>().isLeftOut(finding);
   };
+  const auto addKnown = [this](ToSeal& from) {
+    from.limits = parts_.get<FindingsFlow>().limits();
+    const auto& reference = parts_.get<ReferenceFlow>();
+    from.how = parts_.get<EvaluationFlow>().options();
+    if (reference.isVersion()) return; // it is no structure of another
+    from.reference = reference.skeleton();
+    from.referenceName = reference.name().toStdString();
+  };
   parts_.make<SealFlow>(SealFlow::Parts{document_, *actions_, parts_.get<ProjectFlow>(), jobs_,
-                                        *banner_, *this,
-                                        [this](ToSeal& from) {
-                                          from.limits = parts_.get<FindingsFlow>().limits();
-                                          const auto& reference = parts_.get<ReferenceFlow>();
-                                          from.how = parts_.get<EvaluationFlow>().options();
-                                          if (reference.isVersion())
-                                            return; // it is no structure of another
-                                          from.reference = reference.skeleton();
-                                          from.referenceName = reference.name().toStdString();
-                                        },
-                                        isLeftOut});
+                                        *banner_, *this, addKnown, isLeftOut});
   auto& editing = parts_.get<Editing>();
   auto& distances = parts_.make<ScanDistances>(document_, queue_);
   auto& errors = parts_.make<ExpectedErrorsFlow>(ExpectedErrorsFlow::Parts{

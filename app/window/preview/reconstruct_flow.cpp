@@ -6,6 +6,7 @@
 #include "core/pipeline/kept_options.h"
 #include "core/skeleton/review_coverage.h"
 #include "ui/document/hand_work_text.h"
+#include "ui/document/length_unit.h"
 #include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
 #include "ui/document/shown_message.h"
@@ -21,6 +22,19 @@
 #include <utility>
 
 namespace espalier {
+namespace {
+
+/// Whole numbers as the window writes them.
+ShownMessage withCounts(ShownMessage message) {
+  for (std::string& value : message.values) {
+    bool isCount = false;
+    const qulonglong count = QString::fromStdString(value).toULongLong(&isCount);
+    if (isCount) value = formatCount(count).toStdString();
+  }
+  return message;
+}
+
+} // namespace
 
 ReconstructFlow::ReconstructFlow(const Parts& parts)
     : document_(parts.document), jobs_(parts.jobs), actions_(parts.actions), panel_(parts.panel),
@@ -184,7 +198,7 @@ void ReconstructFlow::show(const Reconstruction& result, const Step* last,
   QString said;
   for (const StepRecord& record : result.steps)
     for (const ShownMessage& message : record.notes) {
-      const QString note = shownText(message);
+      const QString note = shownText(withCounts(message));
       QString& ofStep = notes_[record.step];
       ofStep += (ofStep.isEmpty() ? QString() : QStringLiteral("; ")) + note;
       said += QStringLiteral("; ") +

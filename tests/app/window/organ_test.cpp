@@ -186,6 +186,8 @@ TEST_F(OrganTest, AReconstructionTakesWhatWasSetByHand) {
   EXPECT_TRUE(window().statusLine().shownText().contains("from the next reconstruction on"));
   action("reconstruct").trigger();
   waitForJob();
+  const QString byHand = formatCount(upper.size()) + " were set by hand";
+  EXPECT_TRUE(message().contains(byHand)) << message().toStdString();
   EXPECT_LT(highest(), 0.55 * before);
   EXPECT_GT(highest(), 0.2 * before);
 }

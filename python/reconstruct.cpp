@@ -36,7 +36,9 @@ void bindStepRecord(py::module_& module) {
   record.def_property_readonly(
       "values", &valuesOf,
       "The value used for each option; lengths in the unit of the scan, angles in degrees.");
-  record.def_readonly("notes", &StepRecord::notes, "What is to be said of its result.");
+  record.def_property_readonly(
+      "notes", [](const StepRecord& self) { return eachInEnglish(self.notes); },
+      "What is to be said of its result.");
   record.def("__repr__", [](const StepRecord& self) {
     return "<espalier.StepRecord " + self.step + "." + self.method + ">";
   });

@@ -53,6 +53,15 @@ def test_steps_say_what_was_used(found):
     assert found.scale["height"] == pytest.approx(np.ptp(found.scan.positions[:, 2]), rel=0.05)
 
 
+def test_steps_note_what_is_to_be_said_of_their_results(plant):
+    options = espalier.Options()
+    options.values.method = "greenness"
+    steps = espalier.reconstruct(espalier.Scan(plant.points), options).steps
+    assert {record.step: record.notes for record in steps}["values"] == [
+        "the points have no colors, so all of them are kept"
+    ]
+
+
 def test_progress_rises_to_the_end_on_the_thread_that_called(plant):
     said = []
     espalier.reconstruct(

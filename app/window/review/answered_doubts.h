@@ -28,8 +28,8 @@ struct AnsweredDoubt {
 /// within `near` [L].
 [[nodiscard]] bool isAbout(const AnsweredDoubt& answered, const Doubt& doubt, double near);
 
-/// Whether it says of points without wood that they need none: there is no branch, or the question
-/// is ignored.
+/// Whether its doubt is listed as ignored: it is, or the answer is that points without wood need
+/// none.
 [[nodiscard]] bool leavesOut(const AnsweredDoubt& answered);
 
 /// Whether the points of a finding are those of a branch that an answer is about: their middle is

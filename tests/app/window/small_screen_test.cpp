@@ -9,6 +9,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTabBar>
+#include <QTest>
 #include <QTranslator>
 
 namespace espalier {
@@ -51,11 +52,14 @@ struct SmallScreenTest : test::WindowTest {
     QStringList found;
     for (QWidget* widget : dock.findChildren<QWidget*>()) {
       if (!isToBeUsed(*widget) || widget->parentWidget() == &dock) continue;
-      for (QWidget* around = widget->parentWidget(); around != &dock;
-           around = around->parentWidget())
-        if (auto* area = qobject_cast<QScrollArea*>(around)) area->ensureWidgetVisible(widget);
-      settle();
-      if (widget->visibleRegion().boundingRect() != widget->rect())
+      const auto isWhole = [&] { // once what is found in the background is shown
+        for (QWidget* around = widget->parentWidget(); around != &dock;
+             around = around->parentWidget())
+          if (auto* area = qobject_cast<QScrollArea*>(around)) area->ensureWidgetVisible(widget);
+        settle();
+        return widget->visibleRegion().boundingRect() == widget->rect();
+      };
+      if (!QTest::qWaitFor(isWhole, 5'000))
         found.append(dock.objectName() + ": " + widget->objectName() + ' ' +
                      widget->metaObject()->className());
     }

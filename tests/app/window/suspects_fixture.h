@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 
 namespace espalier::test {
 
@@ -80,12 +81,18 @@ protected:
     document().edit("Remove", [&](SkeletonEditor& editor) { removeSubtree(editor, *branch); });
     ASSERT_TRUE(waitForAll());
   }
-  /// Of a doubt about points that a finding is about, too.
+  /// Of a doubt about points that a finding is about, too, once the search for both has ended.
   std::size_t rowOfATwin() {
-    const auto row = std::ranges::find_if(
-        rows(), [](const Suspect& one) { return one.isDoubt() && one.twin.has_value(); });
-    EXPECT_NE(row, rows().end());
-    return static_cast<std::size_t>(row - rows().begin());
+    const auto isTwin = [](const Suspect& one) { return one.isDoubt() && one.twin.has_value(); };
+    const bool isThere =
+        QTest::qWaitFor([&] { return std::ranges::any_of(rows(), isTwin); }, 20'000);
+    if (!isThere) {
+      ADD_FAILURE() << "no row of both; " << kinds().currentText().toStdString() << ", "
+                    << rows().size() << " rows of " << doubts().size() << " doubts and "
+                    << findings().size() << " findings";
+      throw std::runtime_error("no row of a doubt and a finding");
+    }
+    return static_cast<std::size_t>(std::ranges::find_if(rows(), isTwin) - rows().begin());
   }
   /// Each doubt is a row, and each finding but bare twigs that a doubt is about, too.
   void expectAllListed() {

@@ -6,7 +6,9 @@
 // Each is drawn alone and with all else; the share of its pixels that nothing else covers is what
 // is printed: the median and the worst tenth of all, for the camera that is only brought nearer
 // ("framed"), for the direction that is chosen ("turned"), for that with what is around stepped
-// back ("focused"), and how long the choice took. With FOLDER, five pictures of each go there.
+// back ("focused"), for this beside the color bar, scale bar, axes and minimap of the window, which
+// give way first ("beside"), and how long the choice took. With FOLDER, five pictures of each go
+// there.
 #include "core/decide/error_ratings.h"
 #include "core/io/formats.h"
 #include "core/pipeline/plant_scale.h"
@@ -15,10 +17,13 @@
 #include "core/skeleton/path_edits.h"
 #include "core/skeleton/review_stops.h"
 #include "ui/view/close_look.h"
+#include "ui/view/minimap.h"
 #include "ui/view/offscreen_renderer.h"
+#include "ui/view/overlay.h"
 #include "ui/view/picture.h"
 
-#include <QGuiApplication>
+#include <QApplication>
+#include <QPainter>
 #include <QString>
 
 #include <algorithm>
@@ -117,6 +122,7 @@ public:
     scene_.setSkeleton(plant.skeleton);
     first_ = cameraOf(scene_, StandardView::front, double(width) / height);
     renderer_ = std::make_unique<OffscreenRenderer>(scene_, makeSceneBuffers());
+    overlay_.unit = "mm";
   }
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
@@ -167,7 +173,7 @@ public:
       (*states)[i] = isMeant_[i] ? PointState::normal : PointState::hidden;
     scene_.setPointStates(states);
     scene_.skeleton.setHidden(hidden_);
-    const QImage alone = draw(camera);
+    alone_ = draw(camera);
     scene_.setPointStates(nullptr);
     scene_.skeleton.setHidden({});
     last_ = draw(camera);
@@ -175,14 +181,39 @@ public:
     int kept = 0;
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
-        if (isViolet(alone.pixel(x, y))) {
+        if (isViolet(alone_.pixel(x, y))) {
           ++all;
           kept += isViolet(last_.pixel(x, y)) ? 1 : 0;
         }
     constexpr int fewest = 30; // pixels
+    all_ = all;
     return all < fewest ? std::nullopt : std::optional(double(kept) / all);
   }
   [[nodiscard]] const QImage& last() const { return last_; } // with all else
+
+  /// The same of the picture drawn last, less what lies over the plant. Takes the marks off.
+  [[nodiscard]] double seenBeside(const Camera& camera) {
+    scene_.setPointValues(std::nullopt); // has the color bar of the height
+    scene_.setNodeColors(std::nullopt);
+    const QSize size(width, height);
+    const std::vector<QPointF> plant = plantOnScreen(scene_, ScreenMap(camera, {width, height}));
+    overlay_.giveWay(scene_, plant, size, QFontMetricsF(QApplication::font()));
+    map_.giveWay(plant, size, overlay_.corners());
+    QImage over(size, QImage::Format_ARGB32_Premultiplied);
+    over.fill(Qt::transparent);
+    QPainter painter(&over);
+    overlay_.paint(painter, scene_, camera, size);
+    painter.fillRect(map_.geometry(), Qt::black);
+    painter.end();
+    int kept = 0;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        kept += isViolet(alone_.pixel(x, y)) && isViolet(last_.pixel(x, y)) &&
+                        qAlpha(over.pixel(x, y)) == 0
+                    ? 1
+                    : 0;
+    return double(kept) / all_;
+  }
 
 private:
   static bool isViolet(QRgb pixel) {
@@ -204,7 +235,12 @@ private:
   std::unique_ptr<OffscreenRenderer> renderer_;
   std::vector<bool> isMeant_; // by point
   std::vector<NodeId> hidden_;
-  QImage last_;
+  QImage alone_; // what is marked
+  QImage last_;  // with all else
+  int all_ = 0;  // pixels of what is marked
+  QWidget view_;
+  Minimap map_{scene_, &view_};
+  Overlay overlay_;
 };
 
 Camera framed(const Scene& scene, const Camera& now, const Sight& sight) {
@@ -240,7 +276,7 @@ void print(const char* what, std::vector<Column> columns, std::vector<double> ti
 
 void judge(const char* what, Pictures& pictures, const std::vector<Subject>& subjects,
            const std::string& folder) {
-  std::vector<Column> columns{{"framed"}, {"turned"}, {"focused"}};
+  std::vector<Column> columns{{"framed"}, {"turned"}, {"focused"}, {"beside"}};
   std::vector<double> times;
   Camera now = pictures.first(); // one goes on from where one is
   for (std::size_t i = 0; i < subjects.size(); ++i) {
@@ -251,13 +287,16 @@ void judge(const char* what, Pictures& pictures, const std::vector<Subject>& sub
     times.push_back(took.count());
     pictures.mark(subject);
     const Camera cameras[] = {framed(pictures.scene(), pictures.first(), subject.sight), now, now};
-    for (std::size_t c = 0; c < columns.size(); ++c) {
+    std::optional<double> focused;
+    for (std::size_t c = 0; c < std::size(cameras); ++c) {
       pictures.focusOn(c == 2 ? std::optional(subject.sight) : std::nullopt);
-      if (const auto share = pictures.seen(cameras[c])) columns[c].shares.push_back(*share);
+      focused = pictures.seen(cameras[c]);
+      if (focused) columns[c].shares.push_back(*focused);
       if (!folder.empty() && i % (1 + subjects.size() / 5) == 0)
         pictures.last().save(QString::fromStdString(folder) +
                              QString("/%1_%2_%3.png").arg(what).arg(i).arg(columns[c].name));
     }
+    if (focused) columns.back().shares.push_back(pictures.seenBeside(now));
   }
   print(what, columns, times);
 }
@@ -283,6 +322,6 @@ int run(const std::vector<std::string>& arguments) {
 
 int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
-  const QGuiApplication application(argc, argv);
+  const QApplication application(argc, argv);
   return espalier::run(std::vector<std::string>(argv + 1, argv + argc));
 }

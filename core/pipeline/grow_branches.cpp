@@ -20,7 +20,7 @@ namespace espalier {
 namespace {
 
 double toleranceOf(const GrowOptions& options, const PlantScale& whole) {
-  return options.tolerance > 0 ? options.tolerance : 3 * whole.spacing;
+  return options.tolerance > 0 ? options.tolerance : usualTolerance(whole);
 }
 
 PlantScale scaleOf(const PointCloud& cloud, const GrowOptions& options, const Progress& progress) {
@@ -226,12 +226,14 @@ std::vector<GrownBranch> grownFromUnexplained(const Skeleton& skeleton,
   options.pipeline = withScanCleaned(cloud, wanted.pipeline, progress.part(0, 0));
   const PlantScale whole = scaleOf(*cloud, options, progress);
   const double tolerance = toleranceOf(options, whole);
+  const std::vector<PointOnSkeleton> places =
+      assignPoints(cloud->positions(), cloud->origin(), skeleton, progress.part(0, 0.4));
+  std::vector<double> bark = barkReaches(skeleton, places, tolerance);
   const std::vector<Eigen::Index> points =
-      freePoints(skeleton, *cloud, options.pipeline.leftOut, tolerance, {}, progress.part(0, 0.2));
+      freePoints(*cloud, options.pipeline.leftOut, places, bark);
   if (points.size() < fewestPoints)
     throw ShownError(
         {espalier::Shown::tr("the skeleton explains all points: there is nothing to grow")});
-  std::vector<double> bark = barkReaches(skeleton, *cloud, tolerance, progress.part(0.2, 0.4));
   return grown(skeleton, *cloud, points, options, whole, std::move(bark), progress.part(0.4, 1));
 }
 

@@ -10,7 +10,7 @@ namespace espalier {
 
 struct GrowOptions {
   PipelineOptions pipeline; // methods, settings and points set aside; its root is not used
-  double tolerance = 0;     // [L] as in RegrowOptions; 0 = 3 point spacings
+  double tolerance = 0;     // [L] as in RegrowOptions; 0 = usualTolerance()
   double widestGap = 0;     // [L] points farther apart are of two parts; 0 = 6 point spacings
   double widestJoin = 0;    // [L] nothing is attached across a wider gap; 0 = as widestGap
 };

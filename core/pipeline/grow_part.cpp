@@ -41,16 +41,20 @@ std::vector<PointByFrustum> pointsByFrustum(const Eigen::Matrix3Xf& points,
   return result;
 }
 
-std::vector<Eigen::Index> freePoints(const Skeleton& skeleton, const PointCloud& cloud,
-                                     const PointSet& leftOut, double tolerance,
-                                     const std::vector<bool>& isAsFree, const Progress& progress) {
-  const std::vector<PointByFrustum> places =
-      pointsByFrustum(cloud.positions(), cloud.origin(), skeleton, progress);
+double usualTolerance(const PlantScale& whole) {
+  return 3 * std::max(whole.spacing, whole.scatter);
+}
+
+std::vector<Eigen::Index> freePoints(const PointCloud& cloud, const PointSet& leftOut,
+                                     const std::vector<PointOnSkeleton>& places,
+                                     const std::vector<double>& bark,
+                                     const std::vector<bool>& isAsFree) {
   std::vector<Eigen::Index> points;
   for (const Eigen::Index point : others(leftOut | repeatedPoints(cloud, leftOut), cloud.size())) {
-    const PointByFrustum& place = places[static_cast<std::size_t>(point)];
-    const bool isOfFree = !isAsFree.empty() && isAsFree[indexOf(place.child)];
-    if (isOfFree || place.distance > tolerance) points.push_back(point);
+    const PointOnSkeleton& place = places[static_cast<std::size_t>(point)];
+    const std::size_t edge = indexOf(place.child);
+    if (place.distance > bark[edge] || (!isAsFree.empty() && isAsFree[edge]))
+      points.push_back(point);
   }
   return points;
 }

@@ -14,15 +14,21 @@ inline constexpr std::size_t fewestChosen = 5;  // of those that someone chose: 
 inline constexpr double widestAhead = 30; // spacings: gap that a branch leads over straight on
 inline constexpr int partLinks = 12;      // of a point, to find what is connected
 
-/// The points that no edge of a skeleton explains: they lie farther than `tolerance` [L] from the
-/// frustum of the edge they are nearest to. Points set aside are none of them, and each place
+/// How far from the surface of wood [L] a point is explained by it, unless one asks for another
+/// distance: 3 spacings or, of a scan with much noise, 3 scatters.
+[[nodiscard]] double usualTolerance(const PlantScale& whole);
+
+/// The points of a cloud that no edge of a skeleton explains: they lie farther than its bark from
+/// the axis of the edge that they are nearest to. Points set aside are none of them, and each place
 /// counts once.
+/// @param places    where on the skeleton each point is, as assignPoints()
+/// @param bark      by id [L], as barkReaches()
 /// @param isAsFree  by id: points nearest to the edge of such a node are free as well; may be empty
-/// pre: the skeleton is not empty. @throws Cancelled if `progress` asks to stop
-/// Uses all threads. Time O(N log n).
-[[nodiscard]] std::vector<Eigen::Index>
-freePoints(const Skeleton& skeleton, const PointCloud& cloud, const PointSet& leftOut,
-           double tolerance, const std::vector<bool>& isAsFree = {}, const Progress& progress = {});
+/// @return ascending. Time O(N log N).
+[[nodiscard]] std::vector<Eigen::Index> freePoints(const PointCloud& cloud, const PointSet& leftOut,
+                                                   const std::vector<PointOnSkeleton>& places,
+                                                   const std::vector<double>& bark,
+                                                   const std::vector<bool>& isAsFree = {});
 
 /// How far each point is from the nearest frustum, and whose edge that is. As assignPoints().
 struct PointByFrustum {

@@ -7,6 +7,7 @@
 #include "core/pipeline/grow_part.h"
 #include "core/pipeline/pipeline_start.h"
 #include "core/pipeline/plant_scale.h"
+#include "core/pipeline/wood_skin.h"
 #include "core/skeleton/edge_index.h"
 #include "core/skeleton/path_edits.h"
 #include "core/skeleton/select.h"
@@ -84,11 +85,15 @@ Skeleton regrown(const Skeleton& skeleton, NodeId node,
   RegrowOptions options = wanted;
   options.pipeline = withScanCleaned(cloud, wanted.pipeline, progress.part(0, 0));
   const PlantScale whole = scaleOf(*cloud, options.pipeline.leftOut, options.pipeline.up, progress);
-  const double tolerance = options.tolerance > 0 ? options.tolerance : 3 * whole.spacing;
+  const double tolerance = options.tolerance > 0 ? options.tolerance : usualTolerance(whole);
   const double widestGap = options.widestGap > 0 ? options.widestGap : 8 * whole.spacing;
   const std::vector<bool> isCarried = carriedBy(skeleton, node);
-  const std::vector<Eigen::Index> left = freePoints(skeleton, *cloud, options.pipeline.leftOut,
-                                                    tolerance, isCarried, progress.part(0, 0.3));
+  const std::vector<PointOnSkeleton> places =
+      assignPoints(cloud->positions(), cloud->origin(), skeleton, progress.part(0, 0.3));
+  std::vector<double> bark = barkReaches(skeleton, places, tolerance);
+  bark[indexOf(node)] = std::min(bark[indexOf(node)], skeleton[node].radius + tolerance); // begins
+  const std::vector<Eigen::Index> left =
+      freePoints(*cloud, options.pipeline.leftOut, places, bark, isCarried);
   const std::vector<Eigen::Index> points =
       pointsAt(skeleton, node, *cloud, left, widestGap, progress.part(0.3, 0.5));
   const Skeleton before = partOf(skeleton, node);

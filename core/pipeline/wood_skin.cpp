@@ -1,6 +1,5 @@
 #include "core/pipeline/wood_skin.h"
 
-#include "core/skeleton/assign_points.h"
 #include "core/skeleton/frustum.h"
 
 #include <algorithm>
@@ -30,14 +29,13 @@ double reachOf(std::vector<double>& distances, double radius, double tolerance) 
 
 } // namespace
 
-std::vector<double> barkReaches(const Skeleton& skeleton, const PointCloud& cloud, double tolerance,
-                                const Progress& progress) {
+std::vector<double> barkReaches(const Skeleton& skeleton,
+                                const std::vector<PointOnSkeleton>& places, double tolerance) {
   std::vector<double> radii(skeleton.idEnd(), 0); // of edges, at the thicker end
   for (const auto& [id, wood] : bodiesOf(skeleton))
     radii[indexOf(id)] = std::max(wood.fromRadius, wood.toRadius);
   std::vector<std::vector<double>> distances(skeleton.idEnd());
-  for (const PointOnSkeleton& place :
-       assignPoints(cloud.positions(), cloud.origin(), skeleton, progress)) {
+  for (const PointOnSkeleton& place : places) {
     const std::size_t edge = indexOf(place.child);
     if (place.distance <= 1.5 * radii[edge] + tolerance) distances[edge].push_back(place.distance);
   }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/cloud/point_cloud.h"
+#include "core/skeleton/assign_points.h"
 #include "core/skeleton/skeleton.h"
 
 #include <vector>
@@ -18,11 +17,10 @@ namespace espalier {
 /// most is twice the tolerance over 1.25 medians or radii: new branches that begin there are no
 /// bark.
 ///
+/// @param places    where on the skeleton each point is, as assignPoints()
 /// @param tolerance [L], from the surface of a frustum: nearer points are explained by it
-/// pre: the skeleton is not empty
-/// @throws Cancelled if `progress` asks to stop
-/// Uses all threads, deterministic. Time O(N log n).
-[[nodiscard]] std::vector<double> barkReaches(const Skeleton& skeleton, const PointCloud& cloud,
-                                              double tolerance, const Progress& progress = {});
+/// Deterministic. Time O(N + n).
+[[nodiscard]] std::vector<double>
+barkReaches(const Skeleton& skeleton, const std::vector<PointOnSkeleton>& places, double tolerance);
 
 } // namespace espalier

@@ -4,13 +4,16 @@
 #include "core/skeleton/assign_points.h"
 #include "core/skeleton/branch_edits.h"
 #include "core/skeleton/edits.h"
+#include "core/skeleton/length_along.h"
 #include "core/skeleton/select.h"
 #include "tests/support/clouds.h"
 #include "tests/support/simulated.h"
+#include "tests/support/surface_sampler.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace espalier {
 namespace {
@@ -160,6 +163,32 @@ TEST(Regrow, FindsBothArmsAboveATrunk) {
   const auto isTip = [&](NodeId id) { return grown.children(id).empty(); };
   const std::vector<NodeId> ids = grown.ids();
   EXPECT_EQ(std::ranges::count_if(ids, isTip), 2);
+}
+
+// Points that noise moves off the trunk are connected with those of the branch.
+TEST(Regrow, GrowsTheBranchAloneInAScanWithWideNoise) {
+  Skeleton plant;
+  NodeId trunk = plant.add({.position = {0, 0, 0}, .radius = 0.03});
+  NodeId bearer = trunk;
+  for (int i = 1; i <= 20; ++i) {
+    trunk = plant.add({.position = {0, 0, 0.1 * i}, .radius = 0.03, .parent = trunk});
+    if (i == 10) bearer = trunk;
+  }
+  NodeId foot = plant.add(
+      {.position = {0.1, 0, 1.05}, .radius = 0.02, .parent = bearer, .edge = EdgeType::branching});
+  const NodeId first = foot;
+  for (int i = 1; i <= 8; ++i)
+    foot = plant.add(
+        {.position = {0.1 + 0.08 * i, 0, 1.05 + 0.05 * i}, .radius = 0.02, .parent = foot});
+  const auto cloud = std::make_shared<const PointCloud>(
+      sampleSurface(plant, {.points = 20'000, .noise = 0.015}, 5).points);
+  const Skeleton grown = regrown(without(plant, plant.children(first).front()), first, cloud);
+  double length = 0;
+  for (const NodeId id : grown.ids()) {
+    EXPECT_GT(grown[id].position.x(), 0) << "the trunk has its wood";
+    length += grown[id].parent ? edgeLength(grown, id) : 0;
+  }
+  EXPECT_NEAR(length, 8 * std::hypot(0.08, 0.05), 0.25);
 }
 
 TEST(Regrow, IsRefusedWhereThePlantExplainsAllPoints) {

@@ -53,17 +53,17 @@ bool isUnbranched(const Skeleton& skeleton) {
 }
 
 /// Those of the points that are connected with the one nearest to the node.
-/// @throws Error if there is none near it, or they are too few
+/// @param reach [L] from the node to that point, at most
+/// @throws Error if there is none, or they are too few
 std::vector<Eigen::Index> pointsAt(const Skeleton& skeleton, NodeId node, const PointCloud& cloud,
-                                   const std::vector<Eigen::Index>& points, double widestGap,
-                                   const Progress& progress) {
+                                   const std::vector<Eigen::Index>& points, double reach,
+                                   double widestGap, const Progress& progress) {
   const Error nothing("no points around " + nameOf(node) +
                       " are left by the rest of the plant: choose another node");
   if (points.size() < fewestChosen) throw Error(nothing);
   const Eigen::Matrix3Xf positions = cloud.positions()(Eigen::all, points);
   const Eigen::Vector3f place = (skeleton[node].position - cloud.origin()).cast<float>();
   const Eigen::Index first = nearestPoint(positions, place);
-  const double reach = 2 * skeleton[node].radius + widestGap + meanEdgeLength(skeleton);
   if (static_cast<double>((positions.col(first) - place).norm()) > reach) throw Error(nothing);
   const NeighborhoodGraph parts(positions, partLinks, progress.part(0, 0.7));
   const auto gap = static_cast<float>(widestGap);
@@ -94,8 +94,9 @@ Skeleton regrown(const Skeleton& skeleton, NodeId node,
   bark[indexOf(node)] = std::min(bark[indexOf(node)], skeleton[node].radius + tolerance); // begins
   const std::vector<Eigen::Index> left =
       freePoints(*cloud, options.pipeline.leftOut, places, bark, isCarried);
+  const double reach = 2 * skeleton[node].radius + widestGap + meanEdgeLength(skeleton);
   const std::vector<Eigen::Index> points =
-      pointsAt(skeleton, node, *cloud, left, widestGap, progress.part(0.3, 0.5));
+      pointsAt(skeleton, node, *cloud, left, reach, widestGap, progress.part(0.3, 0.5));
   const Skeleton before = partOf(skeleton, node);
   const bool isChain = before.size() > 1 && isUnbranched(before);
   const double mean = meanEdgeLength(isChain ? before : skeleton);
@@ -105,9 +106,7 @@ Skeleton regrown(const Skeleton& skeleton, NodeId node,
       grownOrTraced(*cloud, points, foot, whole, options.pipeline, edge, progress.part(0.5, 0.9))};
   if (isChain)
     candidates.push_back(treeAlong(*cloud, points, foot, edge, progress.part(0.9, 0.95)));
-  const AttachOptions attach{.spacing = whole.spacing,
-                             .widestGap = widestGap,
-                             .widestJoin = widestGap + meanEdgeLength(skeleton)};
+  const AttachOptions attach{.spacing = whole.spacing, .widestGap = widestGap, .widestJoin = reach};
   Skeleton best;
   double least = unbounded;
   for (const Skeleton& candidate : candidates) {

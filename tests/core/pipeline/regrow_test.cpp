@@ -165,6 +165,25 @@ TEST(Regrow, FindsBothArmsAboveATrunk) {
   EXPECT_EQ(std::ranges::count_if(ids, isTip), 2);
 }
 
+// Wood that carries it hides the foot of a branch from the scanner.
+TEST(Regrow, BeginsAcrossWhatIsHiddenBesideThickWood) {
+  Skeleton trunk;
+  NodeId top = trunk.add({.position = {0, 0, 0}, .radius = 0.1});
+  for (int i = 1; i <= 20; ++i)
+    top = trunk.add({.position = {0, 0, 0.05 * i}, .radius = 0.1, .parent = top});
+  Skeleton arm;
+  const NodeId low = arm.add({.position = {0, 0, 1.25}, .radius = 0.02});
+  arm.add({.position = {0, 0, 1.8}, .radius = 0.02, .parent = low});
+  RawPoints points = sampleSurface(trunk, {.spacing = 0.01}, 1).points;
+  const RawPoints ofArm = sampleSurface(arm, {.spacing = 0.01}, 2).points;
+  points.positions.insert(points.positions.end(), ofArm.positions.begin(), ofArm.positions.end());
+  const Skeleton grown = regrown(trunk, top, std::make_shared<const PointCloud>(std::move(points)));
+  double highest = 0;
+  for (const NodeId id : grown.ids())
+    highest = std::max(highest, grown[id].position.z());
+  EXPECT_NEAR(highest, 1.8, 0.1);
+}
+
 // Points that noise moves off the trunk are connected with those of the branch.
 TEST(Regrow, GrowsTheBranchAloneInAScanWithWideNoise) {
   Skeleton plant;

@@ -52,6 +52,10 @@ AnsweredDoubt answeredIn(const QJsonObject& json) {
   if (answered.kind != Doubt::Kind::missing) return answered;
   answered.tip = placeIn(json["tip"]);
   if (json.contains("foot")) answered.foot = placeIn(json["foot"]);
+  if (!json.contains("box")) return answered;
+  const QJsonArray box = json["box"].toArray();
+  if (box.size() != 2) refuse();
+  answered.box = {placeIn(box[0]), placeIn(box[1])};
   return answered;
 }
 
@@ -71,14 +75,11 @@ bool leavesOut(const AnsweredDoubt& answered) {
   return answered.isIgnored || isNoBranch;
 }
 
-bool isAbout(const AnsweredDoubt& answered, const Finding& finding, double near) {
-  if (finding.kind != Finding::Kind::unexplainedPoints || !answered.foot) return false;
-  const Eigen::Vector3d along = answered.tip - *answered.foot;
-  const double length = along.norm();
-  if (length == 0) return false;
-  const Eigen::Vector3d from = finding.place - *answered.foot;
-  const double share = std::clamp(from.dot(along) / (length * length), 0.0, 1.0);
-  return (from - share * along).norm() <= std::max(near, length / 4) && finding.reach <= length;
+bool isAbout(const AnsweredDoubt& answered, const Finding& finding, double spacing) {
+  if (finding.kind != Finding::Kind::unexplainedPoints || !answered.box) return false;
+  const Eigen::AlignedBox3d box((*answered.box)[0], (*answered.box)[1]);
+  return box.exteriorDistance(finding.place) <= spacing &&
+         finding.reach <= box.diagonal().norm() + spacing;
 }
 
 std::string textOf(const std::vector<AnsweredDoubt>& answered) {
@@ -93,6 +94,7 @@ std::string textOf(const std::vector<AnsweredDoubt>& answered) {
                      {"step", QString::number(static_cast<qulonglong>(one.step))}};
     if (one.kind == Doubt::Kind::missing) json["tip"] = jsonOf(one.tip);
     if (one.foot) json["foot"] = jsonOf(*one.foot);
+    if (one.box) json["box"] = QJsonArray{jsonOf((*one.box)[0]), jsonOf((*one.box)[1])};
     if (one.isIgnored) json["ignored"] = true;
     all.append(json);
   }

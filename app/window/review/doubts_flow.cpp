@@ -26,7 +26,14 @@ bool isReviewed(const Doubt& doubt, const Skeleton& skeleton) {
 /// What an answer or a doubt is about, that is kept.
 AnsweredDoubt keptOf(const Doubt& doubt) {
   AnsweredDoubt kept{.kind = doubt.kind, .node = doubt.node};
-  if (const auto ends = endsOfAdded(doubt)) std::tie(kept.foot, kept.tip) = *ends;
+  const auto added =
+      std::ranges::find(doubt.alternatives, Alternative::Kind::add, &Alternative::kind);
+  if (added == doubt.alternatives.end()) return kept;
+  std::tie(kept.foot, kept.tip) = *endsOfAdded(doubt);
+  Eigen::AlignedBox3d box;
+  for (const NodeId id : added->branch->part.ids())
+    box.extend(added->branch->part[id].position);
+  kept.box = {box.min(), box.max()};
   return kept;
 }
 
@@ -211,9 +218,9 @@ void DoubtsFlow::stopIgnoring(const Doubt& doubt) {
 }
 
 bool DoubtsFlow::isLeftOut(const Finding& finding) const {
-  const double near = 4 * parts_.document.scale().spacing;
+  const double spacing = parts_.document.scale().spacing;
   return std::ranges::any_of(held_, [&](const AnsweredDoubt& one) {
-    return leavesOut(one) && isAbout(one, finding, near);
+    return leavesOut(one) && isAbout(one, finding, spacing);
   });
 }
 

@@ -18,6 +18,7 @@ AnsweredDoubt answeredMissing() {
           .node = NodeId(3),
           .tip = {1.5, -2, 0.25},
           .foot = Eigen::Vector3d(0, 0, 0),
+          .box = std::array{Eigen::Vector3d(0, -2, 0), Eigen::Vector3d(1.5, 0, 0.25)},
           .learned = {.kind = Doubt::Kind::missing, .said = 0.75, .spacings = 20}};
 }
 
@@ -39,7 +40,9 @@ TEST(AnsweredDoubts, AreRefusedWhereTheyCannotBeRead) {
         R"([{"kind": "twig", "node": 1, "said": 0.5, "spacings": 1, "step": "0"}])",
         R"([{"kind": "missing", "node": 1, "said": 0.5, "spacings": 1, "step": "0", "tip": [1]}])",
         R"([{"kind": "missing", "node": 1, "said": 0.5, "spacings": 1, "step": "0",
-             "tip": [1, 2, 3], "foot": [1]}])"})
+             "tip": [1, 2, 3], "foot": [1]}])",
+        R"([{"kind": "missing", "node": 1, "said": 0.5, "spacings": 1, "step": "0",
+             "tip": [1, 2, 3], "foot": [1, 2, 3], "box": [[1, 2, 3]]}])"})
     EXPECT_THROW((void)answeredFrom(text), Error) << text;
 }
 
@@ -61,26 +64,30 @@ TEST(AnsweredDoubts, AreAboutTheSameWoodWhateverWasDoubtedOfIt) {
   EXPECT_FALSE(isAbout(answeredMissing(), missing, 0.1));
   AnsweredDoubt older = answeredMissing(); // of a project of before
   older.foot.reset();
+  older.box.reset();
   EXPECT_TRUE(isAbout(older, missing, 0.1));
   EXPECT_EQ(answeredFrom(textOf(std::vector{older})), std::vector{older});
 }
 
 TEST(AnsweredDoubts, ThatNoBranchIsThereAreAboutTheFindingOfItsPoints) {
-  AnsweredDoubt answered = answeredMissing(); // 2.5 long
+  AnsweredDoubt answered = answeredMissing(); // its box is 2.51 wide
   EXPECT_TRUE(leavesOut(answered));
   const Finding points{
-      .kind = Finding::Kind::unexplainedPoints, .place = {0.75, -1, 0.5}, .reach = 1.3};
-  EXPECT_TRUE(isAbout(answered, points, 0.1));
+      .kind = Finding::Kind::unexplainedPoints, .place = {0.2, -1.8, 0.2}, .reach = 1.3};
+  EXPECT_TRUE(isAbout(answered, points, 0.1)) << "it may be bent";
   Finding beside = points;
-  beside.place.z() = 1;
+  beside.place.z() = 0.5;
   EXPECT_FALSE(isAbout(answered, beside, 0.1));
-  EXPECT_TRUE(isAbout(answered, beside, 1));
+  EXPECT_TRUE(isAbout(answered, beside, 0.3));
   Finding larger = points;
   larger.reach = 3;
-  EXPECT_FALSE(isAbout(answered, larger, 1)) << "more than that branch has no wood";
+  EXPECT_FALSE(isAbout(answered, larger, 0.1)) << "more than that branch has no wood";
   Finding turn = points;
   turn.kind = Finding::Kind::sharpTurn;
   EXPECT_FALSE(isAbout(answered, turn, 1));
+  AnsweredDoubt older = answered; // of a project of before
+  older.box.reset();
+  EXPECT_FALSE(isAbout(older, points, 0.1));
   answered.learned.wasWrong = true; // there is a branch
   EXPECT_FALSE(leavesOut(answered));
   answered.isIgnored = true;

@@ -28,6 +28,20 @@ bool carryNoOther(const std::vector<NodeId>& nodes, const Skeleton& skeleton) {
   });
 }
 
+/// Of edges that lead up from a root and bear nothing beside, their lower ends: the root and what
+/// follows. Empty: they are others, or all that the root carries.
+std::vector<NodeId> footBelow(const std::vector<NodeId>& edges, const Skeleton& skeleton) {
+  std::vector<NodeId> lower;
+  for (const NodeId id : edges)
+    if (const auto parent = skeleton[id].parent) lower.push_back(*parent);
+  const bool isChain =
+      std::ranges::all_of(lower, [&](NodeId id) { return skeleton.children(id).size() == 1; });
+  const bool beginsAtRoot =
+      std::ranges::any_of(lower, [&](NodeId id) { return !skeleton[id].parent.has_value(); });
+  if (!isChain || !beginsAtRoot || carryNoOther(edges, skeleton)) return {};
+  return lower;
+}
+
 /// The axis about a sharp turn, a few nodes on either side, with what it bears there left out.
 struct AxisPart {
   Skeleton part;
@@ -108,6 +122,8 @@ Remedy remedyOf(const Finding& finding, const Skeleton& skeleton, double spacing
   case Kind::radiusAboveParent:
     return {"radius_down", RemedyText::tr("makes it thinner"), {finding.node}};
   case Kind::edgesWithoutPoints:
+    if (const std::vector<NodeId> foot = footBelow(nodesOf(finding), skeleton); !foot.empty())
+      return {"remove", RemedyText::tr("removes them: the plant begins above"), foot};
     if (!carryNoOther(nodesOf(finding), skeleton)) return attach;
     return {"remove_subtree", RemedyText::tr("removes them"), {finding.node}};
   case Kind::besidePoints:

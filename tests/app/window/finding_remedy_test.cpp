@@ -53,5 +53,19 @@ TEST(FindingRemedy, LeavesWhatBearsBranchesBesideATurn) {
   EXPECT_NE(remedyOf(turns.front(), plant, 0).nodes.front(), NodeId{0});
 }
 
+TEST(FindingRemedy, RemovesWhatLeadsThroughAirToTheFootOfThePlant) {
+  Skeleton plant = axisOf({-2, -1, 0, 1, 2});
+  Finding air{.kind = Finding::Kind::edgesWithoutPoints, .node = NodeId{1}, .others = {NodeId{2}}};
+  EXPECT_STREQ(remedyOf(air, plant, 0).action, "remove");
+  EXPECT_EQ(remedyOf(air, plant, 0).nodes, (std::vector{NodeId{0}, NodeId{1}}));
+  air.node = NodeId{3}; // amid the plant
+  air.others.clear();
+  EXPECT_STREQ(remedyOf(air, plant, 0).action, "tool_reparent");
+  air = {.kind = Finding::Kind::edgesWithoutPoints, .node = NodeId{1}, .others = {}};
+  plant.add(
+      {.position = {1, 0, -2}, .radius = 0.01, .parent = NodeId{0}, .edge = EdgeType::branching});
+  EXPECT_STREQ(remedyOf(air, plant, 0).action, "tool_reparent") << "the root bears another branch";
+}
+
 } // namespace
 } // namespace espalier

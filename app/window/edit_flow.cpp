@@ -11,6 +11,7 @@
 #include "ui/view/plant_view.h"
 
 #include <QAction>
+#include <QApplication>
 
 #include <utility>
 
@@ -97,11 +98,15 @@ bool EditFlow::endsPreview(int step) {
 
 void EditFlow::leave() {
   PlantView& view = later_->editing.activeView();
+  const QWidget* at = QApplication::focusWidget();
+  const bool isInPanel = at != nullptr && view.isVisible() && !view.isAncestorOf(at) && at != &view;
   if (view.isVisible()) view.setFocus(); // from whatever field: Enter there means something else
   if (later_->registration.isActive()) return later_->registration.escape();
   if (!later_->editing.isPending() && later_->asking.isShowing())
     return later_->asking.stopAsking();
-  if (later_->editing.isPending() || !later_->preview.drop()) later_->editing.escape();
+  const bool isPending = later_->editing.isPending();
+  if (!isPending && (later_->preview.drop() || isInPanel)) return; // the selection stays
+  later_->editing.escape();
 }
 
 void EditFlow::noteStep(int index) {

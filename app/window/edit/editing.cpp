@@ -235,7 +235,10 @@ void Editing::useTool(const QString& id, bool startsWithNodes) {
   tool_ = id;
   if (toolBefore_.isEmpty()) toolBefore_ = id;
   const std::vector<NodeId> nodes = target().nodes;
-  if (startsWithNodes && !nodes.empty()) tool().startWith(nodes);
+  if (startsWithNodes && !nodes.empty()) {
+    tool().startWith(nodes);
+    if (isPending()) canvas_.view().setFocus(); // Enter and arrows in a list mean something else
+  }
   actions_["tool_" + tool_]->setChecked(true);
   refreshEnabled();
 }

@@ -5,6 +5,7 @@
 #include "app/window/frame/key_hints.h"
 #include "app/window/review/doubt_ghosts.h"
 #include "core/base/error.h"
+#include "core/skeleton/axes.h"
 #include "ui/document/doubt_text.h"
 #include "ui/document/length_unit.h"
 #include "ui/document/plant_document.h"
@@ -29,6 +30,25 @@ constexpr int mostAnswers = 4;
 bool changesCourse(SkeletonDelta::Change change) {
   if (change.before && change.after) change.before->radius = change.after->radius;
   return changesWood(change);
+}
+
+/// What a question is seen with: what is doubted, and some of the wood that its alternatives name.
+std::vector<NodeId> woodOf(const Skeleton& skeleton, const Doubt& doubt, const Sight& sight) {
+  constexpr int below = 4; // nodes, and as many above
+  std::vector<NodeId> nodes = sight.nodes;
+  const auto addAround = [&](NodeId id) {
+    std::optional<NodeId> at = id;
+    for (int i = 0; i <= below && at; ++i, at = previousOnAxis(skeleton, *at))
+      nodes.push_back(*at);
+    at = nextOnAxis(skeleton, id);
+    for (int i = 0; i < below && at; ++i, at = nextOnAxis(skeleton, *at))
+      nodes.push_back(*at);
+  };
+  for (const Alternative& one : doubt.alternatives) {
+    if (one.onto) addAround(*one.onto);
+    if (one.branch) addAround(one.branch->on);
+  }
+  return nodes;
 }
 
 } // namespace
@@ -117,6 +137,8 @@ void AskingFlow::askAbout(const Doubt& doubt) {
   if (!isThere(doubt, parts_.document.skeleton())) return;
   if (!parts_.actions["ask_doubts"]->isEnabled()) return look(doubt);
   const auto act = [&] {
+    const bool isPassed = isAsking_ && current_ && !isByHand_ && !isSame(*current_, doubt, 0);
+    if (isPassed) skipped_.push_back(*current_); // an answer goes on from there, not back to it
     begin(doubt);
     return true;
   };
@@ -154,7 +176,7 @@ void AskingFlow::begin(const std::optional<Doubt>& first) {
     emit begun();
     isAsking_ = true;
     isRestShown_ = false;
-    skipped_.clear();
+    if (!first) skipped_.clear(); // else one goes through a list, and on from there
     selectedBefore_ = parts_.document.selection().nodes();
     selectedByIt_.clear();
     borrowKeys();
@@ -180,6 +202,7 @@ void AskingFlow::wait() {
 void AskingFlow::stopAsking() {
   if (!isAsking_ && !isRestShown_) return;
   if (std::exchange(isAsking_, false)) giveSelectionBack();
+  if (current_ && !isByHand_) skipped_.push_back(*current_);
   isAwaited_ = false;
   isByHand_ = false;
   isRestShown_ = false;
@@ -291,7 +314,8 @@ void AskingFlow::look(const Doubt& doubt) {
   const QUndoStack& stack = parts_.document.undoStack();
   if (std::exchange(isEdited_, false) && stack.index() > 0 && !stack.canRedo())
     notes.append(stack.text(stack.index() - 1));
-  if (const QString note = parts_.reveal(sight.nodes, sight.places, camera); !note.isEmpty())
+  if (const QString note = parts_.reveal(woodOf(skeleton, doubt, sight), sight.places, camera);
+      !note.isEmpty())
     notes.append(note);
   parts_.view.flyTo(camera, focusOn(skeleton, sight));
   emit noted(notes.join(QStringLiteral(" · "))); // or what is asked is seen in the status line

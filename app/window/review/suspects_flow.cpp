@@ -264,7 +264,7 @@ void SuspectsFlow::refresh() {
       std::erase_if(all, [this](const Suspect& one) { return one.kind != kind_; });
     panel_->show(std::move(all));
     const auto row = current_ ? rowOf(*current_) : std::nullopt;
-    if (!row) current_.reset();
+    if (!row && !isSearching()) current_.reset(); // else it may be found again
     panel_->setCurrent(row);
   }
   refreshTexts();

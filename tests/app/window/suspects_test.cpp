@@ -1,4 +1,5 @@
 // One list of all that may be wrong: findings of the checks and doubts.
+#include "app/window/edit/editing.h"
 #include "tests/app/window/suspects_fixture.h"
 #include "ui/document/doubt_text.h"
 #include "ui/panels/message_banner.h"
@@ -216,6 +217,58 @@ TEST_F(SuspectsTest, TheKeyGoesThroughBothByTheirGain) {
   }
   key(Qt::Key_F4, Qt::ShiftModifier);
   EXPECT_EQ(panel().current(), count - 2);
+}
+
+TEST_F(SuspectsTest, AnAnswerGoesOnFromWhereTheKeyHasLed) {
+  std::vector<Doubt> met;
+  for (int i = 0; i < 40 && met.size() < 3; ++i) {
+    key(Qt::Key_F4);
+    ASSERT_TRUE(panel().current().has_value());
+    const Suspect& row = rows()[*panel().current()];
+    if (row.isDoubt()) met.push_back(doubts()[row.number]);
+  }
+  ASSERT_EQ(met.size(), 3U);
+  key(Qt::Key_Space);
+  ASSERT_TRUE(isAsked());
+  const Doubt& next = doubts()[rows()[*panel().current()].number];
+  for (const Doubt& passed : met)
+    EXPECT_FALSE(isSame(next, passed, 0)) << "it was passed over";
+}
+
+TEST_F(SuspectsTest, EscapeFromTheListLeavesWhatIsSelected) {
+  auto& list = find<QTreeView>("findings_list");
+  list.setFocus();
+  go(first(false));
+  const std::vector<NodeId> selected = document().selection().nodes();
+  ASSERT_FALSE(selected.empty());
+  list.setFocus();
+  key(Qt::Key_Escape);
+  EXPECT_TRUE(view().hasFocus());
+  EXPECT_EQ(document().selection().nodes(), selected);
+  key(Qt::Key_Escape);
+  EXPECT_TRUE(document().selection().nodes().empty());
+}
+
+TEST_F(SuspectsTest, AGestureThatBeginsByKeyInTheListHasTheKeyboard) {
+  auto& list = find<QTreeView>("findings_list");
+  document().selection().set({document().skeleton().ids().back()});
+  list.setFocus();
+  key(Qt::Key_P); // reparent
+  ASSERT_TRUE(window().part<Editing>().isPending());
+  EXPECT_TRUE(view().hasFocus()) << "Enter attaches";
+}
+
+TEST_F(SuspectsTest, TheRowOfAnAnswerThatIsTakenBackIsChosen) {
+  view().setFocus();
+  key(Qt::Key_F2);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
+  const Doubt asked = doubts()[rows()[*panel().current()].number];
+  key(Qt::Key_2); // another than it is: the plant changes
+  ASSERT_TRUE(waitForAll());
+  key(Qt::Key_Backspace);
+  ASSERT_TRUE(waitForAll());
+  ASSERT_TRUE(panel().current().has_value());
+  EXPECT_TRUE(isSame(doubts()[rows()[*panel().current()].number], asked, 0));
 }
 
 // Findings are known before doubts: what is listed first then need not be what matters most.

@@ -25,7 +25,7 @@ ReportWarnings warningsOf(const Seal& seal) {
         "the seal is of an older program, which kept neither findings nor agreements"));
   else if (const std::size_t open = seal.state->openFindings(); open > 0)
     warnings.lines.append(
-        ReportText::tr("findings of the checks were open: %1. Below stands why they are left")
+        ReportText::tr("findings of the checks that were open: %1 (why they were left is below)")
             .arg(formatCount(open)));
   if (seal.review && seal.review->inBulk.nodes > 0)
     warnings.lines.append(

@@ -251,6 +251,10 @@
         <source>keeps the straightest and thickest, others branch</source>
         <translation>garde la suite la plus droite et épaisse, ramifie les autres</translation>
     </message>
+    <message>
+        <source>removes them: the plant begins above</source>
+        <translation>les enlève&#xa0;: la plante commence au-dessus</translation>
+    </message>
 </context>
 <context>
     <name>FindingTitle</name>
@@ -2212,12 +2216,12 @@
         <translation>Par rayon</translation>
     </message>
     <message>
-        <source>findings of the checks were open: %1. Below stands why they are left</source>
-        <translation>constats des contrôles encore ouverts&#xa0;: %1. La raison pour laquelle ils restent est donnée plus bas</translation>
-    </message>
-    <message>
         <source>To know before reading on</source>
         <translation>À savoir avant de lire la suite</translation>
+    </message>
+    <message>
+        <source>findings of the checks that were open: %1 (why they were left is below)</source>
+        <translation>constats des contrôles encore ouverts&#xa0;: %1 (la raison est donnée plus bas)</translation>
     </message>
 </context>
 <context>
@@ -3520,10 +3524,6 @@
         <translation>Autour</translation>
     </message>
     <message>
-        <source>How pale all gets that is neither near what one flew to in depth nor of its branch, as of a finding or a stop of the review</source>
-        <translation>À quel point pâlit tout ce qui n’est ni proche en profondeur de ce que l’on a rejoint, ni de sa branche, par exemple d’un constat ou d’un arrêt de la révision</translation>
-    </message>
-    <message>
         <source>Fade around what one flew to</source>
         <translation>Estomper autour de ce que l’on a rejoint</translation>
     </message>
@@ -3566,6 +3566,10 @@
     <message>
         <source>Box [%1]</source>
         <translation>Boîte [%1]</translation>
+    </message>
+    <message>
+        <source>How pale the rest gets when you go to a finding, a doubt or a stop of the review: what is nearer or farther, and not of the same branch</source>
+        <translation>Pâleur du reste quand vous allez à un constat, à un doute ou à un arrêt de la révision&#xa0;: ce qui est plus près ou plus loin et n’est pas de la même branche</translation>
     </message>
 </context>
 <context>
@@ -8252,6 +8256,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <source>The riskiest wood of this stop: %1</source>
         <translation>Le bois le plus risqué de cet arrêt&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>: %1 once more takes that back and marks them reviewed</source>
+        <translation>&#xa0;: %1 encore une fois retire cela et les marque révisés</translation>
+    </message>
 </context>
 <context>
     <name>espalier::ReviewPanel</name>
@@ -8656,6 +8664,14 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>Undo</source>
         <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>%1 of %2 nodes are not reviewed: {next_not_reviewed} goes to the next</source>
+        <translation>%1 nœuds sur %2 ne sont pas révisés&#xa0;: {next_not_reviewed} mène au suivant</translation>
+    </message>
+    <message>
+        <source>%1 of %2 nodes are not reviewed, %3 of them doubtful: {next_not_reviewed} goes to the next</source>
+        <translation>%1 nœuds sur %2 ne sont pas révisés, dont %3 douteux&#xa0;: {next_not_reviewed} mène au suivant</translation>
     </message>
 </context>
 <context>
@@ -12824,12 +12840,12 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>Signer</translation>
     </message>
     <message>
-        <source>Type why findings are left to sign</source>
-        <translation>Pour signer, saisissez pourquoi des constats restent</translation>
+        <source>To sign, type why findings are left open</source>
+        <translation>Pour signer, dites pourquoi des constats restent ouverts</translation>
     </message>
     <message>
-        <source>Type your name to sign</source>
-        <translation>Pour signer, saisissez votre nom</translation>
+        <source>To sign, type your name</source>
+        <translation>Pour signer, tapez votre nom</translation>
     </message>
 </context>
 <context>
@@ -14343,10 +14359,6 @@ Chargez une référence pour voir comment les deux s’accordent.</translation>
         <translation>une version doit avoir un nom</translation>
     </message>
     <message>
-        <source>The project keeps this state as %1</source>
-        <translation>Le projet garde cet état sous le nom %1</translation>
-    </message>
-    <message>
         <source>the end of %1</source>
         <translation>la fin de %1</translation>
     </message>
@@ -14389,6 +14401,10 @@ Chargez une référence pour voir comment les deux s’accordent.</translation>
     <message>
         <source>Keep It</source>
         <translation>La garder</translation>
+    </message>
+    <message>
+        <source>The project keeps this state as “%1”</source>
+        <translation>Le projet garde cet état sous le nom «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>

@@ -60,8 +60,8 @@ SignDialog::SignDialog(const Seal& draft, LengthUnit unit, const QString& signer
   setMinimumWidth(560);
   const auto refresh = [this, sign, missing, isOpen] {
     const bool lacksReason = isOpen && reason().isEmpty();
-    missing->setText(lacksReason                ? tr("Type why findings are left to sign")
-                     : this->signer().isEmpty() ? tr("Type your name to sign")
+    missing->setText(lacksReason                ? tr("To sign, type why findings are left open")
+                     : this->signer().isEmpty() ? tr("To sign, type your name")
                                                 : QString());
     sign->setEnabled(missing->text().isEmpty());
   };

@@ -36,8 +36,8 @@ ClipPanel::ClipPanel(QWidget* parent) : QWidget(parent) {
   fade_->setToolTip(tr("The farther back, the paler"));
   fade_->setAccessibleName(tr("Fade by depth"));
   around_ = addSlider(*grid, "clip_around", tr("Around"), 0);
-  around_->setToolTip(tr("How pale all gets that is neither near what one flew to in depth nor of "
-                         "its branch, as of a finding or a stop of the review"));
+  around_->setToolTip(tr("How pale the rest gets when you go to a finding, a doubt or a stop of "
+                         "the review: what is nearer or farther, and not of the same branch"));
   around_->setAccessibleName(tr("Fade around what one flew to"));
   auto* all = new QPushButton(tr("Show All Again"));
   all->setObjectName("clip_show_all");

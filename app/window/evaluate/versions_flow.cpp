@@ -89,7 +89,7 @@ void VersionsFlow::name() {
                               .author = parts_.projects.author().toStdString(),
                               .time = QDateTime::currentMSecsSinceEpoch(),
                               .skeleton = document.skeleton()});
-  emit noted(tr("The project keeps this state as %1").arg(name));
+  emit noted(tr("The project keeps this state as “%1”").arg(name));
 }
 
 std::vector<VersionsFlow::Choice> VersionsFlow::choices() const {

@@ -284,7 +284,7 @@ bool FileFlow::mayDiscard() {
       dropped.isEmpty() ? nullptr : box.addButton(tr("Save Project As…"), QMessageBox::AcceptRole);
   QPushButton* discard = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
   QPushButton* keep = box.addButton(tr("Keep editing"), QMessageBox::RejectRole);
-  box.setDefaultButton(save);
+  box.setDefaultButton(project != nullptr ? project : save); // which loses nothing
   box.setEscapeButton(keep);
   box.exec();
   if (box.clickedButton() == save && !isNamed) return this->save();

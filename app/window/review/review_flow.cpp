@@ -283,7 +283,8 @@ void ReviewFlow::askForDoubt(const std::vector<NodeId>& doubtful) {
   QString text = (doubtful.size() == 1 ? tr("%1 is doubtful") : tr("%1 are doubtful"))
                      .arg(nodeNames(doubtful));
   if (!whose.isEmpty()) text += QString(" (%1)").arg(whose);
-  text += tr(": %1 once more takes that back and marks it reviewed")
+  text += (doubtful.size() == 1 ? tr(": %1 once more takes that back and marks it reviewed")
+                                : tr(": %1 once more takes that back and marks them reviewed"))
               .arg(parts_.actions["mark_reviewed"]->shortcut().toString(QKeySequence::NativeText));
   text[0] = text[0].toUpper();
   isDoubtAskedFor_ = true;

@@ -7,9 +7,11 @@
 #include "app/window/files/project_flow.h"
 #include "app/window/files/reported_plant.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/frame/key_hints.h"
 #include "app/window/frame/scan_distances.h"
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
+#include "core/skeleton/review_coverage.h"
 #include "ui/dialogs/sign_dialog.h"
 #include "ui/document/hand_work_text.h"
 #include "ui/document/plant_document.h"
@@ -98,6 +100,7 @@ void SealFlow::sign() {
   document.requireEditable();
   parts_.jobs.requireIdle();
   const History history = document.history();
+  requireReviewed(history.skeleton);
   static_cast<void>(signedBy("?", 0, history)); // refused before anything is found or asked
   ToSeal from{.plant = history.skeleton, .beginning = beginningOfHandWork(history)};
   std::shared_ptr<const PointCloud> all;
@@ -125,6 +128,23 @@ void SealFlow::sign() {
           parts_.actions.guarded(ask, Refusal::inBanner);
         });
       });
+}
+
+/// @throws Error that names the key to what is left
+void SealFlow::requireReviewed(const Skeleton& plant) const {
+  const ReviewCoverage seen = coverage(plant);
+  if (seen.isComplete() || seen.totalNodes() == 0) return;
+  const std::size_t doubtful = seen.nodes[static_cast<std::size_t>(ReviewState::doubtful)];
+  const QString left =
+      formatCount(seen.totalNodes() - seen.nodes[static_cast<std::size_t>(ReviewState::reviewed)]);
+  const QString all = formatCount(seen.totalNodes());
+  const QString text =
+      doubtful == 0 ? tr("%1 of %2 nodes are not reviewed: {next_not_reviewed} goes to the next")
+                          .arg(left, all)
+                    : tr("%1 of %2 nodes are not reviewed, %3 of them doubtful: "
+                         "{next_not_reviewed} goes to the next")
+                          .arg(left, all, formatCount(doubtful));
+  throw Error(withKeys(text, parts_.actions).toStdString());
 }
 
 void SealFlow::askToSign(SealedFacts facts) {

@@ -57,6 +57,7 @@ signals:
 
 private:
   void sign();
+  void requireReviewed(const Skeleton& plant) const;
   void askToSign(SealedFacts facts);
   void requireIntact() const;
   void exportSeal();

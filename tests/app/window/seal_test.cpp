@@ -63,7 +63,7 @@ TEST_F(SealWindowTest, IsRefusedUntilAllIsReviewed) {
   key(Qt::Key_Period);
   key(Qt::Key_Return);
   expectNoDialog([this] { action("sign_structure").trigger(); });
-  EXPECT_EQ(message(), "3 of 5 nodes are not reviewed: walk there and review them first");
+  EXPECT_EQ(message(), "3 of 5 nodes are not reviewed: Ctrl+. goes to the next");
   EXPECT_EQ(seal(), "No seal: fork.mtg cannot carry one, a project can.");
 }
 
@@ -226,7 +226,7 @@ TEST_F(SealWindowTest, OverOpenFindingsAsksWhyAndKeepsTheAnswer) {
         dialog.findChild<QLineEdit*>("signer")->setText("Anna");
         EXPECT_FALSE(signIsOffered(dialog)) << "no reason is given";
         const auto* missing = dialog.findChild<QLabel*>("sign_missing");
-        EXPECT_EQ(missing->text(), "Type why findings are left to sign");
+        EXPECT_EQ(missing->text(), "To sign, type why findings are left open");
         dialog.findChild<QLineEdit*>("reason")->setText("a fold that is there");
         EXPECT_TRUE(signIsOffered(dialog));
         EXPECT_EQ(missing->text(), "");

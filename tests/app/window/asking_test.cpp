@@ -1,6 +1,7 @@
 // The program asks about what it is in doubt about, and takes answers by one key.
 #include "app/window/files/load_files.h"
 #include "app/window/review/asking_flow.h"
+#include "app/window/view/shown_flow.h"
 #include "core/project/project.h"
 #include "tests/app/window/asking_fixture.h"
 #include "ui/document/doubt_text.h"
@@ -332,6 +333,35 @@ TEST_F(AskingTest, WritesAnAnswerThatChangesNothingAtOnce) {
   const Project left = Project::open(toPath(path("killed.espalier")), Access::readOnly);
   EXPECT_TRUE(left.document("answered_doubts").find("missing") != std::string::npos)
       << left.document("answered_doubts");
+}
+
+TEST_F(AskingTest, ShowsTheWoodThatAnswersNameWhereOthersAreHidden) {
+  ask();
+  skipTo(Doubt::Kind::end, false);
+  const Doubt asked = *std::ranges::find_if(found().doubts(), [](const Doubt& one) {
+    return one.kind == Doubt::Kind::attachment &&
+           std::ranges::any_of(one.alternatives,
+                               [](const Alternative& answer) { return answer.onto.has_value(); });
+  });
+  key(Qt::Key_Escape);
+  document().selection().set(asked.nodes);
+  action("isolate").trigger();
+  ASSERT_FALSE(window().part<ShownFlow>().hidden().empty());
+  document().selection().clear();
+  view().setFocus();
+  key(Qt::Key_F2);
+  const auto isAskedAbout = [&] {
+    const auto& selected = document().selection().nodes();
+    return std::ranges::find(selected, asked.node) != selected.end();
+  };
+  for (int i = 0; i < 500 && !isAskedAbout(); ++i)
+    key(Qt::Key_Space);
+  ASSERT_TRUE(isAskedAbout());
+  const std::vector<NodeId>& hidden = window().part<ShownFlow>().hidden();
+  for (const Alternative& answer : asked.alternatives) {
+    if (!answer.onto) continue;
+    EXPECT_EQ(std::ranges::find(hidden, *answer.onto), hidden.end()) << nameOf(*answer.onto);
+  }
 }
 
 /// All points at one place, beside a plant of one edge.

@@ -15,6 +15,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProcess>
+#include <QPushButton>
 #include <QTest>
 #include <QTimer>
 
@@ -81,6 +82,8 @@ TEST_F(WindowFilesTest, OffersAProjectForWhatTheFileCannotHold) {
       [](QDialog& dialog) {
         const QString text = dynamic_cast<QMessageBox&>(dialog).informativeText();
         EXPECT_TRUE(text.contains("keeps no review")) << text.toStdString();
+        const QPushButton* usual = dynamic_cast<QMessageBox&>(dialog).defaultButton();
+        EXPECT_TRUE(usual != nullptr && usual->text() == "Save Project As…") << "loses nothing";
         press("Keep editing")(dialog);
       },
       [this] { EXPECT_FALSE(window().close()); });

@@ -8201,18 +8201,6 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <translation>Sans scan, on ne sait rien des erreurs&#xa0;: le parcours suit la plante</translation>
     </message>
     <message>
-        <source>: no wood</source>
-        <translation>&#xa0;: pas de bois</translation>
-    </message>
-    <message>
-        <source>: clean</source>
-        <translation>&#xa0;: net</translation>
-    </message>
-    <message>
-        <source>: risk %1 %</source>
-        <translation>&#xa0;: risque %1&#xa0;%</translation>
-    </message>
-    <message>
         <source>No wood is near these points: add some, or press {mark_reviewed} if there is none</source>
         <translation>Aucun bois n’est près de ces points&#xa0;: ajoutez-en, ou appuyez sur {mark_reviewed} s’il n’y en a pas</translation>
     </message>
@@ -8259,6 +8247,18 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>: %1 once more takes that back and marks them reviewed</source>
         <translation>&#xa0;: %1 encore une fois retire cela et les marque révisés</translation>
+    </message>
+    <message>
+        <source>. Here: no wood</source>
+        <translation>. Ici&#xa0;: pas de bois</translation>
+    </message>
+    <message>
+        <source>. Here: clean</source>
+        <translation>. Ici&#xa0;: net</translation>
+    </message>
+    <message>
+        <source>. Here: risk %1 %</source>
+        <translation>. Ici&#xa0;: risque %1&#xa0;%</translation>
     </message>
 </context>
 <context>

@@ -135,6 +135,7 @@ void ReviewPanel::addCoverage(QVBoxLayout& column) {
 
 void ReviewPanel::addChosen(QVBoxLayout& column, const Actions& actions) {
   place_->setObjectName("review_place");
+  place_->setWordWrap(true);
   state_->setObjectName("review_state");
   state_->setProperty("role", "quiet");
   why_->setObjectName("review_why");

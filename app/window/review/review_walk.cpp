@@ -124,11 +124,11 @@ void ReviewFlow::goTo(const std::vector<ReviewStop>& all, std::size_t index) {
   const ReviewStop& stop = all[index];
   placeText_ = leftText(all);
   if (stop.isAtPoints())
-    placeText_ += tr(": no wood");
+    placeText_ += tr(". Here: no wood");
   else if (stop.isClean)
-    placeText_ += tr(": clean");
+    placeText_ += tr(". Here: clean");
   else if (parts_.errors.now() != nullptr && stop.length > 0)
-    placeText_ += tr(": risk %1 %").arg(qRound(100 * stop.wrong / stop.length));
+    placeText_ += tr(". Here: risk %1 %").arg(qRound(100 * stop.wrong / stop.length));
   whyText_ = whyRisky(stop);
   if (stop.isAtPoints()) return goToPoints(stop);
   const bool wasAtPoints = !std::exchange(atPoints_, {}).empty();
@@ -140,9 +140,14 @@ void ReviewFlow::goTo(const std::vector<ReviewStop>& all, std::size_t index) {
   if (wasAtPoints || !note.isEmpty()) emit noted(note);
 }
 
-/// What speaks most for an error there; empty: nothing, or nothing is known of it.
+/// What speaks most for an error there, or what to do at points; empty: nothing is known of it.
 QString ReviewFlow::whyRisky(const ReviewStop& stop) const {
-  if (stop.isClean || stop.isAtPoints()) return {};
+  if (stop.isAtPoints())
+    return withKeys(
+        tr("No wood is near these points: add some, or press {mark_reviewed} if there is "
+           "none"),
+        parts_.actions);
+  if (stop.isClean) return {};
   const std::optional<ErrorEvidence> evidence = parts_.errors.riskiestOf(stop.nodes);
   const QString reasons =
       evidence ? textOfReasons(*evidence, parts_.document.scale().spacing, parts_.document.unit())
@@ -162,10 +167,7 @@ void ReviewFlow::goToPoints(const ReviewStop& stop) {
   parts_.document.pointSelection().set(points);
   showPlace();
   const QString note = frame({}, placesAt());
-  emit noted(note.isEmpty() ? withKeys(tr("No wood is near these points: add some, or press "
-                                          "{mark_reviewed} if there is none"),
-                                       parts_.actions)
-                            : note);
+  emit noted(note.isEmpty() ? whyText_ : note);
 }
 
 bool ReviewFlow::isAtPoints() const {

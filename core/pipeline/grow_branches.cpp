@@ -229,6 +229,7 @@ std::vector<GrownBranch> grownFromUnexplained(const Skeleton& skeleton,
   const std::vector<PointOnSkeleton> places =
       assignPoints(cloud->positions(), cloud->origin(), skeleton, progress.part(0, 0.4));
   std::vector<double> bark = barkReaches(skeleton, places, tolerance);
+  progress.check();
   const std::vector<Eigen::Index> points =
       freePoints(*cloud, options.pipeline.leftOut, places, bark);
   if (points.size() < fewestPoints)

@@ -91,6 +91,7 @@ Skeleton regrown(const Skeleton& skeleton, NodeId node,
   const std::vector<PointOnSkeleton> places =
       assignPoints(cloud->positions(), cloud->origin(), skeleton, progress.part(0, 0.3));
   std::vector<double> bark = barkReaches(skeleton, places, tolerance);
+  progress.check();
   bark[indexOf(node)] = std::min(bark[indexOf(node)], skeleton[node].radius + tolerance); // begins
   const std::vector<Eigen::Index> left =
       freePoints(*cloud, options.pipeline.leftOut, places, bark, isCarried);

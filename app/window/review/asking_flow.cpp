@@ -5,7 +5,6 @@
 #include "app/window/frame/key_hints.h"
 #include "app/window/review/doubt_ghosts.h"
 #include "core/base/error.h"
-#include "core/skeleton/axes.h"
 #include "ui/document/doubt_text.h"
 #include "ui/document/length_unit.h"
 #include "ui/document/plant_document.h"
@@ -30,25 +29,6 @@ constexpr int mostAnswers = 4;
 bool changesCourse(SkeletonDelta::Change change) {
   if (change.before && change.after) change.before->radius = change.after->radius;
   return changesWood(change);
-}
-
-/// What a question is seen with: what is doubted, and some of the wood that its alternatives name.
-std::vector<NodeId> woodOf(const Skeleton& skeleton, const Doubt& doubt, const Sight& sight) {
-  constexpr int below = 4; // nodes, and as many above
-  std::vector<NodeId> nodes = sight.nodes;
-  const auto addAround = [&](NodeId id) {
-    std::optional<NodeId> at = id;
-    for (int i = 0; i <= below && at; ++i, at = previousOnAxis(skeleton, *at))
-      nodes.push_back(*at);
-    at = nextOnAxis(skeleton, id);
-    for (int i = 0; i < below && at; ++i, at = nextOnAxis(skeleton, *at))
-      nodes.push_back(*at);
-  };
-  for (const Alternative& one : doubt.alternatives) {
-    if (one.onto) addAround(*one.onto);
-    if (one.branch) addAround(one.branch->on);
-  }
-  return nodes;
 }
 
 } // namespace
@@ -314,7 +294,7 @@ void AskingFlow::look(const Doubt& doubt) {
   const QUndoStack& stack = parts_.document.undoStack();
   if (std::exchange(isEdited_, false) && stack.index() > 0 && !stack.canRedo())
     notes.append(stack.text(stack.index() - 1));
-  if (const QString note = parts_.reveal(woodOf(skeleton, doubt, sight), sight.places, camera);
+  if (const QString note = parts_.reveal(woodSeenWith(skeleton, doubt), sight.places, camera);
       !note.isEmpty())
     notes.append(note);
   parts_.view.flyTo(camera, focusOn(skeleton, sight));

@@ -1,5 +1,6 @@
 #include "app/window/review/doubt_ghosts.h"
 
+#include "core/skeleton/axes.h"
 #include "core/skeleton/edge_index.h"
 #include "core/skeleton/path_edits.h"
 #include "ui/document/doubt_text.h"
@@ -140,6 +141,24 @@ ShownGhost ghostOfPoints(const Skeleton& skeleton, const Doubt& doubt,
     }
   }
   return ghost;
+}
+
+std::vector<NodeId> woodSeenWith(const Skeleton& skeleton, const Doubt& doubt) {
+  constexpr int around = 4; // nodes of its axis below, and as many above
+  std::vector<NodeId> nodes = sightOf(skeleton, doubt).nodes;
+  const auto addAround = [&](NodeId id) {
+    std::optional<NodeId> at = id;
+    for (int i = 0; i <= around && at; ++i, at = previousOnAxis(skeleton, *at))
+      nodes.push_back(*at);
+    at = nextOnAxis(skeleton, id);
+    for (int i = 0; i < around && at; ++i, at = nextOnAxis(skeleton, *at))
+      nodes.push_back(*at);
+  };
+  for (const Alternative& one : doubt.alternatives) {
+    if (one.onto) addAround(*one.onto);
+    if (one.branch) addAround(one.branch->on);
+  }
+  return nodes;
 }
 
 } // namespace espalier

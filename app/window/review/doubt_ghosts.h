@@ -21,6 +21,10 @@ namespace espalier {
 /// elsewhere, its foot. pre: isThere(doubt, skeleton)
 [[nodiscard]] Sight sightOf(const Skeleton& skeleton, const Doubt& doubt);
 
+/// What is to be shown with the question, however much is hidden: what is doubted, and some of the
+/// wood that its alternatives name.
+[[nodiscard]] std::vector<NodeId> woodSeenWith(const Skeleton& skeleton, const Doubt& doubt);
+
 /// The points that a doubt is about, as dots: those nearest to its wood, and those that no wood is
 /// near to along a branch that would be added.
 /// @param near  [L] how far from the wood they are at most, > 0

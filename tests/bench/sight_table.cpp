@@ -8,7 +8,7 @@
 // ("framed"), for the direction that is chosen ("turned"), for that with what is around stepped
 // back ("focused"), for this beside the color bar, scale bar, axes and minimap of the window, which
 // give way first ("beside"), and how long the choice took. With FOLDER, five pictures of each go
-// there.
+// there. Then how well the answers to questions are told apart, which printQuestionSights() has.
 #include "core/decide/error_ratings.h"
 #include "core/io/formats.h"
 #include "core/pipeline/plant_scale.h"
@@ -16,6 +16,7 @@
 #include "core/skeleton/checks_of_scan.h"
 #include "core/skeleton/path_edits.h"
 #include "core/skeleton/review_stops.h"
+#include "tests/bench/question_sights.h"
 #include "ui/view/close_look.h"
 #include "ui/view/minimap.h"
 #include "ui/view/offscreen_renderer.h"
@@ -314,6 +315,7 @@ int run(const std::vector<std::string>& arguments) {
   Pictures pictures(plant);
   judge("stops", pictures, stopsOf(plant, number(2, 100)), folder);
   judge("findings", pictures, findingsOf(plant, number(3, 1000)), folder);
+  printQuestionSights(plant.cloud, width, height);
   return 0;
 }
 

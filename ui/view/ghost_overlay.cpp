@@ -9,7 +9,12 @@
 #include <QRectF>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
 #include <optional>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -17,11 +22,12 @@ namespace {
 constexpr double width = 4; // [logical pixels], as all below
 constexpr double rim = 3;   // about lines
 constexpr double dot = 4;   // across
-constexpr double disk = 11; // radius, under a number
+constexpr double disk = GhostNumber::radius;
 
 std::vector<QPolygonF> seenLines(const ShownGhost& ghost, const ScreenMap& screen) {
   std::vector<QPolygonF> lines;
   for (const std::vector<Eigen::Vector3d>& line : ghost.lines) {
+    if (line.size() < 2) continue; // a dot
     QPolygonF seen;
     for (const Eigen::Vector3d& place : line)
       if (const auto at = pixelOf(screen, place)) seen.append(*at);
@@ -68,17 +74,74 @@ QPointF along(const QPolygonF& line, double share) {
   return line.back();
 }
 
-/// Where a number stands: on its longest line, at the first of some shares where no other stands.
-std::optional<QPointF> labelPlace(const std::vector<QPolygonF>& lines,
-                                  const std::vector<QPointF>& taken) {
-  if (lines.empty()) return std::nullopt;
-  const QPolygonF& line = *std::ranges::max_element(lines, {}, lengthOf);
-  for (const double share : {0.5, 0.65, 0.35, 0.8, 0.2, 1.0})
-    if (const QPointF at = along(line, share); std::ranges::all_of(
-            taken, [&](const QPointF& other) { return QLineF(at, other).length() > 2.2 * disk; }))
-      return at;
-  return along(line, 0.5) + QPointF(2.5 * disk * static_cast<double>(taken.size()), 0);
+double distanceOf(const QPointF& at, const QPolygonF& line) {
+  double least = std::numeric_limits<double>::infinity();
+  for (qsizetype i = 1; i < line.size(); ++i) {
+    const QPointF span = line[i] - line[i - 1];
+    const double squared = QPointF::dotProduct(span, span);
+    const double part =
+        squared > 0 ? std::clamp(QPointF::dotProduct(at - line[i - 1], span) / squared, 0.0, 1.0)
+                    : 0;
+    least = std::min(least, QLineF(at, line[i - 1] + part * span).length());
+  }
+  return least;
 }
+
+/// Finds places for numbers beside what they name, where they cover neither a line nor each other.
+class NumberPlaces {
+public:
+  NumberPlaces(const std::vector<std::vector<QPolygonF>>& lines, const QSizeF& screen)
+      : lines_(lines), inside_(QRectF(QPointF(), screen).adjusted(disk, disk, -disk, -disk)) {}
+
+  /// The first of some places, or the one that covers least.
+  QPointF beside(const std::vector<QPointF>& named, std::size_t own) {
+    QPointF best = named.front();
+    double least = std::numeric_limits<double>::infinity();
+    for (const double away : {disk + 8, 2 * disk + 8, 3 * disk + 8})
+      for (const QPointF& of : named)
+        for (int turn = 0; turn < directions; ++turn) {
+          const double angle = 2 * std::numbers::pi * turn / directions;
+          const QPointF at = of + away * QPointF(std::cos(angle), std::sin(angle));
+          const double worse = covered(at) + 0.02 * away + (isNearestTo(at, own) ? 0 : 1);
+          if (worse >= least) continue;
+          least = worse;
+          best = at;
+        }
+    taken_.push_back(best);
+    return best;
+  }
+
+private:
+  static constexpr int directions = 16;
+
+  [[nodiscard]] double covered(const QPointF& at) const {
+    double sum = inside_.contains(at) ? 0 : 20;
+    for (const QPointF& other : taken_)
+      sum += 10 * share(2 * disk + 4 - QLineF(at, other).length());
+    for (const std::vector<QPolygonF>& ghost : lines_)
+      for (const QPolygonF& line : ghost)
+        sum += 2 * share(disk + width - distanceOf(at, line));
+    return sum;
+  }
+  static double share(double overlap) { return std::clamp(overlap / disk, 0.0, 1.0); }
+
+  /// Whether no line of another is nearer.
+  [[nodiscard]] bool isNearestTo(const QPointF& at, std::size_t own) const {
+    const auto distance = [&](const std::vector<QPolygonF>& ghost) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const QPolygonF& line : ghost)
+        least = std::min(least, distanceOf(at, line));
+      return least;
+    };
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      if (i != own && distance(lines_[i]) < distance(lines_[own])) return false;
+    return true;
+  }
+
+  const std::vector<std::vector<QPolygonF>>& lines_; // of each ghost
+  QRectF inside_;
+  std::vector<QPointF> taken_;
+};
 
 /// At the end of what would go.
 void paintCross(QPainter& painter, const QPointF& at, const Color& color, const Palette& colors) {
@@ -103,19 +166,38 @@ Color colorOfGhost(int number, bool dark) {
   case 3:
     return colors.normal;
   case 4:
-    return colors.selected;
+    return colors.contracted;
   default:
     return colors.contracted;
   }
 }
 
+std::vector<GhostNumber> numbersOf(const std::vector<ShownGhost>& ghosts, const ScreenMap& screen) {
+  std::vector<std::vector<QPolygonF>> all;
+  for (const ShownGhost& ghost : ghosts)
+    all.push_back(seenLines(ghost, screen));
+  NumberPlaces places(all, QSizeF(screen.size().x(), screen.size().y()));
+  std::vector<GhostNumber> numbers;
+  for (std::size_t i = 0; i < ghosts.size(); ++i) {
+    if (ghosts[i].number == 0 || all[i].empty()) continue;
+    const QPolygonF& line = *std::ranges::max_element(all[i], {}, lengthOf);
+    std::vector<QPointF> named;
+    if (ghosts[i].look == ShownGhost::Look::removed)
+      named = {all[i].front().back()}; // its cross
+    else
+      for (const double share : {0.5, 0.65, 0.35, 0.8, 0.2, 1.0})
+        named.push_back(along(line, share));
+    const QPointF at = places.beside(named, i);
+    const QPointF of = *std::ranges::min_element(
+        named, {}, [&](const QPointF& place) { return QLineF(at, place).length(); });
+    numbers.push_back({ghosts[i].number, at, of});
+  }
+  return numbers;
+}
+
 void paintGhosts(QPainter& painter, const std::vector<ShownGhost>& ghosts, const ScreenMap& screen,
                  bool dark) {
   const Palette colors = palette(dark);
-  std::vector<std::vector<QPolygonF>> all;
-  all.reserve(ghosts.size());
-  for (const ShownGhost& ghost : ghosts)
-    all.push_back(seenLines(ghost, screen));
   painter.setBrush(Qt::NoBrush);
   for (const QPen& pen : {QPen(toQt(colors.outline, 200), dot + rim, Qt::SolidLine, Qt::RoundCap),
                           QPen(toQt(colors.selected), dot, Qt::SolidLine, Qt::RoundCap)}) {
@@ -123,39 +205,45 @@ void paintGhosts(QPainter& painter, const std::vector<ShownGhost>& ghosts, const
     for (const ShownGhost& ghost : ghosts)
       painter.drawPoints(seenDots(ghost, screen));
   }
-  for (std::size_t i = 0; i < ghosts.size(); ++i) {
-    const Color color = colorOfGhost(ghosts[i].number, dark);
-    if (ghosts[i].look == ShownGhost::Look::removed) {
-      for (const QPolygonF& line : all[i])
-        paintCross(painter, line.back(), color, colors);
-      continue;
+  const std::vector<GhostNumber> numbers = numbersOf(ghosts, screen);
+  for (const GhostNumber& number : numbers)
+    for (const QPen& pen : {QPen(toQt(colors.outline, 200), 2 + rim),
+                            QPen(toQt(colorOfGhost(number.number, dark)), 2)}) {
+      painter.setPen(pen); // to what it names
+      painter.drawLine(number.at, number.of);
     }
-    for (const QPolygonF& line : all[i]) {
-      painter.setPen(
-          QPen(toQt(colors.outline, 200), width + rim, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
-      painter.drawPolyline(line);
-      painter.setPen(QPen(toQt(color), width, styleOf(ghosts[i].look), Qt::FlatCap, Qt::RoundJoin));
-      painter.drawPolyline(line);
-    }
+  struct Stroke {
+    QPolygonF line;
+    ShownGhost::Look look;
+    Color color;
+  };
+  std::vector<Stroke> strokes;
+  for (const ShownGhost& ghost : ghosts)
+    for (QPolygonF& line : seenLines(ghost, screen))
+      strokes.push_back({std::move(line), ghost.look, colorOfGhost(ghost.number, dark)});
+  std::ranges::stable_sort(strokes, std::greater(),
+                           [](const Stroke& stroke) { return lengthOf(stroke.line); });
+  for (const auto& [line, look, color] : strokes) {
+    if (look == ShownGhost::Look::removed) continue;
+    painter.setPen(
+        QPen(toQt(colors.outline, 200), width + rim, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.drawPolyline(line);
+    painter.setPen(QPen(toQt(color), width, styleOf(look), Qt::FlatCap, Qt::RoundJoin));
+    painter.drawPolyline(line);
   }
-  std::vector<QPointF> taken;
-  for (std::size_t i = 0; i < ghosts.size(); ++i) {
-    if (ghosts[i].number == 0) continue;
-    std::optional<QPointF> at = labelPlace(all[i], taken);
-    if (at && ghosts[i].look == ShownGhost::Look::removed)
-      at = all[i].front().back() + QPointF(2.2 * disk, 0); // beside its cross
-    if (!at) continue;
-    taken.push_back(*at);
+  for (const auto& [line, look, color] : strokes)
+    if (look == ShownGhost::Look::removed) paintCross(painter, line.back(), color, colors);
+  for (const GhostNumber& number : numbers) {
     painter.setPen(QPen(toQt(colors.outline), 2));
-    painter.setBrush(toQt(colorOfGhost(ghosts[i].number, dark)));
-    painter.drawEllipse(*at, disk, disk);
+    painter.setBrush(toQt(colorOfGhost(number.number, dark)));
+    painter.drawEllipse(number.at, disk, disk);
     QFont font = painter.font();
     const QFont before = font;
     font.setBold(true);
     painter.setFont(font);
     painter.setPen(Qt::white);
-    painter.drawText(QRectF(at->x() - disk, at->y() - disk, 2 * disk, 2 * disk), Qt::AlignCenter,
-                     QString::number(ghosts[i].number));
+    painter.drawText(QRectF(number.at - QPointF(disk, disk), QSizeF(2 * disk, 2 * disk)),
+                     Qt::AlignCenter, QString::number(number.number));
     painter.setFont(before);
   }
 }

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 #include <QPainter>
-#include <QString>
+#include <QPointF>
 
 #include <vector>
 
@@ -23,8 +23,23 @@ struct ShownGhost {
   int number = 0; // its key, and its color; 0: neither label nor a color of its own
 };
 
+/// Where a number stands, and what it names [logical pixels].
+struct GhostNumber {
+  static constexpr double radius = 11; // of its disk
+
+  int number;
+  QPointF at; // its middle
+  QPointF of; // on the line, or the cross, of its ghost
+};
+
+/// The number of each ghost that has one and is seen: beside its longest line, or its cross, where
+/// it covers as little of any line as can be, and no other number.
+[[nodiscard]] std::vector<GhostNumber> numbersOf(const std::vector<ShownGhost>& ghosts,
+                                                 const ScreenMap& screen);
+
 /// Paints ghosts over the plant: dots bright, below lines; of these, the present with a full one,
-/// what is not there dashed, where one would go a cross, each with its number. Numbers keep apart.
+/// what is not there dashed, where one would go a cross, each with its number.
+/// Short lines lie over long ones.
 void paintGhosts(QPainter& painter, const std::vector<ShownGhost>& ghosts, const ScreenMap& screen,
                  bool dark);
 

@@ -60,6 +60,7 @@ void PlantView::Parts::setUpOverlay() {
 }
 
 void PlantView::Parts::paintOverlay(QPainter& painter) {
+  if (!navigator.isFlying()) ++framesAtRest;
   setUpOverlay();
   overlay.pivotShown = navigator.gesture() == Navigator::Gesture::turn;
   painter.setRenderHint(QPainter::Antialiasing);
@@ -235,6 +236,10 @@ Camera PlantView::cameraToSee(const Sight& sight) const {
 
 bool PlantView::isStill() const {
   return parts_->complete && !parts_->moving && !parts_->navigator.isFlying();
+}
+
+int PlantView::framesAtRest() const {
+  return parts_->framesAtRest;
 }
 
 void PlantView::setInputHandler(InputHandler handler) {

@@ -154,6 +154,8 @@ public:
 
   /// Is the view at rest: nothing moves, and all points are drawn? (Never, before it is shown.)
   [[nodiscard]] bool isStill() const;
+  /// How often it was drawn with its camera where it was to be, be it with few points.
+  [[nodiscard]] int framesAtRest() const;
 
   /// Returns true for what it took: a taken press keeps the camera still until the release or a
   /// cancel (Escape, or the keyboard goes elsewhere). It is given the drags and the release of

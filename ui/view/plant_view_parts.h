@@ -165,6 +165,7 @@ struct PlantView::Parts {
   bool moving = false; // likewise
   Pace pace = turning; // while it runs
   bool complete = false;
+  int framesAtRest = 0; // as PlantView::framesAtRest
   bool wasFramed = false;
   bool mayBeInTheWay = true; // the camera, or what is shown, has changed since giveWay()
   QWidget* surface;          // owned by the view; goes before what it draws, see ~PlantView

@@ -4,6 +4,7 @@
 #include "app/window/frame/action_set.h"
 #include "app/window/frame/key_hints.h"
 #include "app/window/review/doubt_ghosts.h"
+#include "app/window/review/last_step.h"
 #include "core/base/error.h"
 #include "ui/document/doubt_text.h"
 #include "ui/document/length_unit.h"
@@ -255,7 +256,7 @@ void AskingFlow::goTo(const Doubt& doubt) {
   const Skeleton& skeleton = parts_.document.skeleton();
   current_ = doubt;
   taught_ = parts_.doubts.learnedOf(doubt);
-  stepBefore_ = lastStep();
+  stepBefore_ = lastStepOf(parts_.document);
   foot_ = skeleton[doubt.node].parent;
   idEnd_ = skeleton.idEnd();
   editEnds_.stop();
@@ -264,6 +265,7 @@ void AskingFlow::goTo(const Doubt& doubt) {
   isRestShown_ = false;
   draw();
   look(*current_);
+  framesBefore_ = parts_.view.framesAtRest();
   emit asked(current_, false);
   refreshEnabled();
   emit hintChanged();
@@ -301,8 +303,15 @@ void AskingFlow::look(const Doubt& doubt) {
   emit noted(notes.join(QStringLiteral(" · "))); // or what is asked is seen in the status line
 }
 
+bool AskingFlow::requireDrawn() {
+  if (parts_.view.framesAtRest() != framesBefore_) return true;
+  parts_.view.setCamera(parts_.view.camera());
+  emit noted(tr("Not answered: this question was not drawn yet"));
+  return false;
+}
+
 void AskingFlow::answer(std::size_t number) {
-  if (!current_ || number >= current_->alternatives.size()) return;
+  if (!current_ || number >= current_->alternatives.size() || !requireDrawn()) return;
   const Doubt doubt = *current_;
   isEdited_ = false;
   {
@@ -315,7 +324,7 @@ void AskingFlow::answer(std::size_t number) {
 }
 
 void AskingFlow::answerNone() {
-  if (!current_) return;
+  if (!current_ || !requireDrawn()) return;
   const QScopedValueRollback own(isOwnEdit_, true);
   parts_.doubts.answerNone(*current_);
   asked_.push_back(*current_);
@@ -349,11 +358,6 @@ void AskingFlow::takeBack() {
   goOn();
 }
 
-StepId AskingFlow::lastStep() const {
-  const int index = parts_.document.undoStack().index();
-  return index > 0 ? parts_.document.step(index - 1).id : StepId{};
-}
-
 /// Any edit of the wood that is asked about, of more than its radii, answers once it is done.
 void AskingFlow::noteEdit(const SkeletonDelta& delta) {
   if (isRestShown_) stopAsking();
@@ -377,8 +381,9 @@ void AskingFlow::takeEdit() {
   editEnds_.stop();
   if (!current_) return;
   const QUndoStack& stack = parts_.document.undoStack();
-  const bool isNewStep = stack.index() == stack.count() && lastStep() != stepBefore_ &&
-                         parts_.document.isDone(lastStep());
+  const bool isNewStep = stack.index() == stack.count() &&
+                         lastStepOf(parts_.document) != stepBefore_ &&
+                         parts_.document.isDone(lastStepOf(parts_.document));
   const bool isAnswer = isNewStep && isWoodEdited_ &&
                         (stepBefore_ == StepId{} || parts_.document.isDone(stepBefore_));
   if (isByHand_) return; // one goes on by a key

@@ -26,7 +26,8 @@ class PlantView;
 
 /// Asks about what is in doubt, what matters most first: flies to where the alternatives are seen
 /// apart, draws them with their numbers, and takes the answer by one key. An answer is one undo
-/// step. Any edit of the wood that is asked about answers, too.
+/// step. Any edit of the wood that is asked about answers, too. A key that comes before a question
+/// is drawn does not answer it.
 ///
 /// While it asks, the keys 0 to 4, Space and Backspace are its own.
 class AskingFlow : public WindowPart {
@@ -75,7 +76,8 @@ private:
   void goTo(const Doubt& doubt);
   void look(const Doubt& doubt);
   void draw();
-  void answer(std::size_t number); // of an alternative, from 0 on
+  [[nodiscard]] bool requireDrawn(); // the question; else says so, and is there at once
+  void answer(std::size_t number);   // of an alternative, from 0 on
   void answerNone();
   void skip();
   void takeBack();
@@ -86,7 +88,6 @@ private:
   void takeEdit();
   /// Whether the wood that is asked about is gone, for the most part, or grows from other wood now.
   [[nodiscard]] bool isMadeOtherwise() const;
-  [[nodiscard]] StepId lastStep() const; // that is done; 0: none
   void refreshEnabled();
   [[nodiscard]] bool isSkipped(const Doubt& doubt) const;
 
@@ -98,6 +99,7 @@ private:
   std::vector<NodeId> selectedBefore_; // when it began
   std::vector<NodeId> selectedByIt_;
   std::optional<Doubt> current_;
+  int framesBefore_ = 0;       // the view was drawn at rest when it was asked
   LearnedAnswer taught_;       // by an answer to it
   StepId stepBefore_ = {};     // done when it was asked
   std::optional<NodeId> foot_; // of its wood then

@@ -1,6 +1,7 @@
 #include "app/window/review/findings_flow.h"
 
 #include "app/window/review/findings_text.h"
+#include "app/window/review/last_step.h"
 #include "core/project/work_state.h"
 #include "core/skeleton/checks.h"
 #include "core/skeleton/checks_of_scan.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <utility>
 
 namespace espalier {
@@ -17,28 +19,6 @@ namespace {
 
 bool hasNodes(const Skeleton& skeleton, const Finding& finding) {
   return std::ranges::all_of(nodesOf(finding), [&](NodeId id) { return skeleton.contains(id); });
-}
-
-/// Adds to what the checks find what was reported and is mostly still so, and takes over what is
-/// reported from now on.
-/// @param weaker  what they find at twice the sensitivity, asked for where something is gone
-void keepStillSo(std::vector<Finding>& now, std::vector<Finding>& reported,
-                 const std::function<std::vector<Finding>()>& weaker,
-                 const PointDistances* distances = nullptr, double reach = 0) {
-  const auto sameIn = [](const std::vector<Finding>& findings, const Finding& finding) {
-    return std::ranges::find_if(findings,
-                                [&](const Finding& other) { return isSame(other, finding); });
-  };
-  const bool isAnyGone = std::ranges::any_of(
-      reported, [&](const Finding& before) { return sameIn(now, before) == now.end(); });
-  if (isAnyGone)
-    std::ranges::move(stillSo(reported, now, weaker(), distances, reach), std::back_inserter(now));
-  std::vector<Finding> from;
-  for (const Finding& finding : now) {
-    const auto before = sameIn(reported, finding);
-    from.push_back(before != reported.end() ? *before : finding);
-  }
-  reported = std::move(from);
 }
 
 CheckOptions twiceAsSensitive(CheckOptions limits) {
@@ -81,8 +61,8 @@ void FindingsFlow::showLimits(const std::string& text) {
 
 void FindingsFlow::checkAnew() {
   isScanChecked_ = false;
-  reportedOfSkeleton_.clear(); // by other limits
-  reportedOfScan_.clear();
+  reportsOfSkeleton_.clear(); // by other limits
+  reportsOfScan_.clear();
   emit limitsChanged();
   later();
 }
@@ -110,8 +90,8 @@ void FindingsFlow::connectParts() {
   connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
     ofSkeleton_.clear();
     ofScan_.clear();
-    reportedOfSkeleton_.clear();
-    reportedOfScan_.clear();
+    reportsOfSkeleton_.clear();
+    reportsOfScan_.clear();
     isScanChecked_ = false;
     ignored_.clear();  // a project shows its own once its skeleton is there
     openNote_.clear(); // likewise
@@ -121,7 +101,7 @@ void FindingsFlow::connectParts() {
   connect(&document, &PlantDocument::scanChanged, this, [this] {
     indexed_.reset();
     ofScan_.clear();
-    reportedOfScan_.clear();
+    reportsOfScan_.clear();
     isScanChecked_ = false;
     list();
     later();
@@ -143,18 +123,49 @@ void FindingsFlow::connectParts() {
   });
 }
 
+void FindingsFlow::keepStillSo(std::vector<Finding>& now, std::vector<Report>& reports, StepId step,
+                               const std::function<std::vector<Finding>()>& weaker,
+                               const PointDistances* distances, double reach) {
+  std::vector<Finding> gone;
+  for (const Report& before : reports)
+    if (std::ranges::none_of(now, [&](const Finding& one) { return isSame(one, before.finding); }))
+      gone.push_back(before.finding);
+  if (!gone.empty())
+    std::ranges::move(stillSo(gone, now, weaker(), distances, reach), std::back_inserter(now));
+  std::vector<Report> from;
+  for (const Finding& finding : now) {
+    const auto before = std::ranges::find_if(
+        reports, [&](const Report& report) { return isSame(report.finding, finding); });
+    from.push_back(before != reports.end() ? *before : Report{finding, step});
+  }
+  reports = std::move(from);
+}
+
+/// What a step brought about is no more once that is undone, however much of it there was before.
+void FindingsFlow::forgetUndone() {
+  std::map<StepId, bool> done = {{StepId{}, true}};
+  const auto isUndone = [&](const Report& report) {
+    const auto [at, isNew] = done.try_emplace(report.step, false);
+    if (isNew) at->second = parts_.document.isDone(report.step);
+    return !at->second;
+  };
+  std::erase_if(reportsOfSkeleton_, isUndone);
+  std::erase_if(reportsOfScan_, isUndone);
+}
+
 void FindingsFlow::later() {
   if (isWanted_) timer_.start();
 }
 
 void FindingsFlow::refresh() {
   timer_.stop();
+  forgetUndone();
   constexpr std::size_t most = 4000; // nodes that are checked in a few ms
   const Skeleton& skeleton = parts_.document.skeleton();
   isCheckedAtOnce_ = skeleton.size() <= most;
   if (isCheckedAtOnce_) {
     ofSkeleton_ = check(skeleton, spacing(), limits());
-    keepStillSo(ofSkeleton_, reportedOfSkeleton_,
+    keepStillSo(ofSkeleton_, reportsOfSkeleton_, lastStepOf(parts_.document),
                 [&] { return check(skeleton, spacing(), twiceAsSensitive(limits())); });
     list();
     noteOpen();
@@ -174,19 +185,19 @@ void FindingsFlow::startJob() {
   job_.start(
       tr("Check the plant"),
       [distances, indexed = indexed_, isCheckedAtOnce = isCheckedAtOnce_, spacing = spacing(),
-       options = limits(), reportedOfSkeleton = reportedOfSkeleton_,
-       reportedOfScan = reportedOfScan_,
+       options = limits(), reportsOfSkeleton = reportsOfSkeleton_, reportsOfScan = reportsOfScan_,
+       step = lastStepOf(parts_.document),
        skeleton = parts_.document.skeleton()](const Progress& progress) {
-        Found found{.reportedOfSkeleton = reportedOfSkeleton, .indexed = indexed};
+        Found found{.reportsOfSkeleton = reportsOfSkeleton, .indexed = indexed};
         if (!isCheckedAtOnce) {
           found.ofSkeleton = check(skeleton, spacing, options);
-          keepStillSo(*found.ofSkeleton, found.reportedOfSkeleton,
+          keepStillSo(*found.ofSkeleton, found.reportsOfSkeleton, step,
                       [&] { return check(skeleton, spacing, twiceAsSensitive(options)); });
         }
         if (!distances) return found;
         const std::shared_ptr<const PointCloud>& cloud = distances->cloud();
         if (found.indexed && found.indexed->cloud == cloud) // else points are others
-          found.reportedOfScan = reportedOfScan;
+          found.reportsOfScan = reportsOfScan;
         if (!found.indexed || found.indexed->cloud != cloud)
           found.indexed =
               std::make_shared<const Indexed>(Indexed{cloud, SpatialIndex(cloud->positions())});
@@ -196,7 +207,7 @@ void FindingsFlow::startJob() {
           return checkAgainstScan(skeleton, *distances, found.indexed->index, spacing,
                                   twiceAsSensitive(options), progress);
         };
-        keepStillSo(found.ofScan, found.reportedOfScan, weaker, distances.get(),
+        keepStillSo(found.ofScan, found.reportsOfScan, step, weaker, distances.get(),
                     options.pointReach * exactness(*distances, spacing, options));
         return found;
       },
@@ -207,11 +218,11 @@ void FindingsFlow::startJob() {
 void FindingsFlow::take(Found found) {
   if (found.ofSkeleton) {
     ofSkeleton_ = std::move(*found.ofSkeleton);
-    reportedOfSkeleton_ = std::move(found.reportedOfSkeleton);
+    reportsOfSkeleton_ = std::move(found.reportsOfSkeleton);
   }
   const std::shared_ptr<const PointDistances> now = parts_.distances.now();
   if (now && found.indexed && now->cloud() == found.indexed->cloud) {
-    reportedOfScan_ = std::move(found.reportedOfScan);
+    reportsOfScan_ = std::move(found.reportsOfScan);
     ofScan_ = std::move(found.ofScan); // else the points are others, or are measured again
     indexed_ = std::move(found.indexed);
     isScanChecked_ = !timer_.isActive(); // else it was edited meanwhile

@@ -3,11 +3,13 @@
 #include "app/window/frame/scan_distances.h"
 #include "app/window/frame/window_part.h"
 #include "core/base/spatial_index.h"
+#include "core/project/history.h"
 #include "core/skeleton/check_options.h"
 #include "core/skeleton/finding.h"
 
 #include <QTimer>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -69,11 +71,15 @@ private:
     std::shared_ptr<const PointCloud> cloud;
     SpatialIndex index;
   };
+  struct Report { // of a finding, as it was reported first
+    Finding finding;
+    StepId step; // done last then: once it is undone, the report is none
+  };
   struct Found {                                         // by a job
     std::optional<std::vector<Finding>> ofSkeleton = {}; // none: it is checked at once
     std::vector<Finding> ofScan = {};
-    std::vector<Finding> reportedOfSkeleton = {}; // as of now
-    std::vector<Finding> reportedOfScan = {};
+    std::vector<Report> reportsOfSkeleton = {}; // as of now
+    std::vector<Report> reportsOfScan = {};
     std::shared_ptr<const Indexed> indexed; // null: there is no scan
   };
   /// @param text  what is ignored, as JSON; empty: nothing
@@ -82,6 +88,15 @@ private:
   void showLimits(const std::string& text); // the same of what the user set of the checks
   void checkAnew();                         // by other limits
   void connectParts();
+
+  /// Adds to what the checks find what was reported and is mostly still so, and takes over what is
+  /// reported from now on.
+  /// @param step    that is done last
+  /// @param weaker  what they find at twice the sensitivity, asked for where something is gone
+  static void keepStillSo(std::vector<Finding>& now, std::vector<Report>& reports, StepId step,
+                          const std::function<std::vector<Finding>()>& weaker,
+                          const PointDistances* distances = nullptr, double reach = 0);
+  void forgetUndone(); // reports
 
   void later();
   void refresh();
@@ -103,8 +118,8 @@ private:
   mutable std::optional<double> unit_; // of lengths of the checks [L]; none: to be found anew
   std::vector<Finding> ofSkeleton_;
   std::vector<Finding> ofScan_;
-  std::vector<Finding> reportedOfSkeleton_; // as they were reported first, while they last
-  std::vector<Finding> reportedOfScan_;
+  std::vector<Report> reportsOfSkeleton_; // while what they are of lasts
+  std::vector<Report> reportsOfScan_;
   std::vector<Finding> findings_;
   std::vector<Finding> shownIgnored_; // that are still found
   std::vector<Finding> ignored_;      // all that one has ignored

@@ -73,7 +73,7 @@ protected:
       skipTo(Doubt::Kind::end);
       for (int k = 0; k < 4; ++k)
         if (find<QToolButton>(QString("answer_%1_button").arg(k + 1)).text().contains("no wood"))
-          action(QString("answer_%1").arg(k + 1)).trigger();
+          keyOnceDrawn(Qt::Key_1 + k);
       ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked() && !found().isBusy(); }, 20'000));
     }
   }

@@ -33,7 +33,7 @@ TEST_F(AskingTest, TakesAnswersByOneKeyEachAsOneUndoStep) {
   int answered = 0;
   for (; answered < 6 && isAsked(); ++answered) {
     const QString asked = question() + firstAnswer();
-    key(Qt::Key_1);
+    keyOnceDrawn(Qt::Key_1);
     ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked() || doubts() == 0; }, 20'000));
   }
   EXPECT_EQ(answered, 6);
@@ -41,6 +41,23 @@ TEST_F(AskingTest, TakesAnswersByOneKeyEachAsOneUndoStep) {
   EXPECT_GT(document().undoStack().index(), steps);
   EXPECT_GT(reviewed(), 0U);
   EXPECT_LT(doubts(), before);
+}
+
+TEST_F(AskingTest, AKeyDoesNotAnswerWhatIsNotDrawnYet) {
+  ask();
+  waitForView();
+  key(Qt::Key_1);
+  const std::string answered = answers();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return isAsked() && !found().isBusy(); }, 20'000));
+  key(Qt::Key_Space);
+  for (const int digit : {Qt::Key_1, Qt::Key_0})
+    key(digit); // before anything is drawn
+  EXPECT_EQ(answers(), answered);
+  EXPECT_TRUE(isAsked());
+  EXPECT_EQ(window().statusLine().shownText(), "Not answered: this question was not drawn yet");
+  EXPECT_EQ(view().currentCamera(), view().camera()) << "it is there at once";
+  keyOnceDrawn(Qt::Key_1);
+  EXPECT_NE(answers(), answered);
 }
 
 TEST_F(AskingTest, NamesTheKeyThatEndsItOnceWhereAPanelHasTheKeyboard) {
@@ -77,7 +94,7 @@ TEST_F(AskingTest, TheFirstKeyLeavesThePlantAsItIsWhateverIsAsked) {
     EXPECT_TRUE(window().part<AskingFlow>().hint().startsWith(isMissing ? "1 no branch   2 "
                                                                         : "1 as it is   2 "));
     ++kinds[isMissing ? Doubt::Kind::missing : Doubt::Kind::end];
-    key(Qt::Key_1);
+    keyOnceDrawn(Qt::Key_1);
     ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked() || doubts() == 0; }, 20'000));
     ASSERT_EQ(wood(), before);
   }
@@ -88,7 +105,7 @@ TEST_F(AskingTest, TakesAnswersBackAndAsksThemAgain) {
   ask();
   const Skeleton plant = document().skeleton();
   const QString asked = question() + firstAnswer();
-  key(Qt::Key_2);
+  keyOnceDrawn(Qt::Key_2);
   ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
   EXPECT_NE(question() + firstAnswer(), asked);
   key(Qt::Key_Backspace);
@@ -115,7 +132,7 @@ TEST_F(AskingTest, MarksDoubtfulWhatNoneOfTheAnswersIsRightFor) {
   ask();
   skipTo(Doubt::Kind::missing, false);
   const std::vector<NodeId> wood = document().selection().nodes();
-  key(Qt::Key_0);
+  keyOnceDrawn(Qt::Key_0);
   for (const NodeId id : wood)
     EXPECT_EQ(document().skeleton()[id].review.state, ReviewState::doubtful);
   EXPECT_FALSE(isAsked()) << "it waits for an edit by hand";
@@ -141,7 +158,7 @@ TEST_F(AskingTest, TakesNoUndoForAnAnswer) {
   const int before = doubts();
   const Skeleton plant = document().skeleton();
   for (int i = 0; i < 2; ++i) {
-    key(Qt::Key_1);
+    keyOnceDrawn(Qt::Key_1);
     ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
   }
   while (document().skeleton() != plant) {
@@ -167,7 +184,7 @@ TEST_F(AskingTest, KeepsWhatWasAnsweredInTheProject) {
   waitForJob();
   ask();
   for (int i = 0; i < 3; ++i) {
-    key(Qt::Key_1);
+    keyOnceDrawn(Qt::Key_1);
     ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
   }
   const int left = doubts();
@@ -185,7 +202,7 @@ TEST_F(AskingTest, MarksDoubtfulWhatWouldBearABranchThatIsMissing) {
   const NodeId bearer = document().selection().nodes().front();
   const int steps = document().undoStack().index();
   const QString asked = question();
-  key(Qt::Key_0);
+  keyOnceDrawn(Qt::Key_0);
   EXPECT_EQ(document().undoStack().index(), steps + 1);
   EXPECT_EQ(document().skeleton()[bearer].review.state, ReviewState::doubtful);
   EXPECT_TRUE(answers().find("missing") != std::string::npos) << answers();
@@ -229,7 +246,7 @@ TEST_F(AskingTest, AsksAgainWhatWasToBeCorrectedByHandOnceThatIsUndone) {
   skipTo(Doubt::Kind::end);
   const NodeId node = document().selection().nodes().back();
   const QString asked = question() + firstAnswer();
-  key(Qt::Key_0);
+  keyOnceDrawn(Qt::Key_0);
   ASSERT_FALSE(isAsked());
   document().edit("Move", [&](SkeletonEditor& editor) {
     editor.setPosition(node, document().skeleton()[node].position + Eigen::Vector3d(0, 0, 0.001));
@@ -326,6 +343,7 @@ TEST_F(AskingTest, WritesAnAnswerThatChangesNothingAtOnce) {
   QTest::qWait(500); // all else is written
   const int steps = document().undoStack().index();
   const int noBranch = find<QToolButton>("answer_1_button").text().contains("no branch") ? 1 : 2;
+  waitForView();
   action(QString("answer_%1").arg(noBranch)).trigger(); // no event is handled from here on
   ASSERT_EQ(document().undoStack().index(), steps);
   for (const char* end : {"", "-wal"}) // as they lie there when the program is killed now

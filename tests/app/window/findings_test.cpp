@@ -438,6 +438,25 @@ TEST_F(FindingsWindowTest, StayWhileTheyAreMostlyStillSo) {
   EXPECT_FALSE(QTest::qWaitFor([&] { return title() != allIsWell; }, 300)) << "it never was more";
 }
 
+// What stands after Undo was there before, when it was no finding.
+TEST_F(FindingsWindowTest, WhatAStepBroughtAboutIsGoneOnceItIsUndone) {
+  openFork();
+  key(Qt::Key_F8);
+  setRadiusOf(shoot(0), 0.107); // within the tenth that is let pass
+  ASSERT_FALSE(QTest::qWaitFor([&] { return title() != allIsWell; }, 300));
+  setRadiusOf(shoot(0), 0.12);
+  ASSERT_TRUE(waitForTitle("1 place may be wrong"));
+  action("undo").trigger();
+  EXPECT_TRUE(waitForTitle(allIsWell));
+  action("redo").trigger();
+  ASSERT_TRUE(waitForTitle("1 place may be wrong"));
+  setRadiusOf(shoot(0), 0.107);
+  const NodeId base = nodeAt({0, 0, 0});
+  setRadiusOf(base, 0.11);
+  action("undo").trigger(); // another step than that which brought it about
+  EXPECT_FALSE(QTest::qWaitFor([&] { return title() == allIsWell; }, 300));
+}
+
 TEST_F(FindingsWindowTest, OneSensitivitySetsTheChecksAndTheDistanceOfExplainedPoints) {
   openForkAndScan();
   key(Qt::Key_F8);

@@ -105,7 +105,7 @@ TEST_F(SuspectsTest, ABareTwigThatIsAnsweredNoBranchIsNoFindingUntilTheAnswerIsT
   auto& answers = window().part<DoubtsFlow>();
   EXPECT_FALSE(answers.isLeftOut(finding));
   go(at);
-  key(Qt::Key_1); // no branch
+  keyOnceDrawn(Qt::Key_1); // no branch
   key(Qt::Key_Escape);
   ASSERT_TRUE(waitForAll());
   EXPECT_FALSE(isOpen());
@@ -117,14 +117,14 @@ TEST_F(SuspectsTest, ABareTwigThatIsAnsweredNoBranchIsNoFindingUntilTheAnswerIsT
   EXPECT_FALSE(answers.isAnswered(doubt));
   EXPECT_FALSE(answers.isLeftOut(finding));
   go(rowOfATwin());
-  key(Qt::Key_1);
+  keyOnceDrawn(Qt::Key_1);
   key(Qt::Key_Backspace);
   key(Qt::Key_Escape);
   ASSERT_TRUE(waitForAll());
   EXPECT_TRUE(isOpen()) << "its answer is taken back";
   EXPECT_FALSE(isLeftOutOfSeal());
   go(rowOfATwin());
-  key(Qt::Key_1);
+  keyOnceDrawn(Qt::Key_1);
   key(Qt::Key_Escape);
   ASSERT_TRUE(waitForAll());
   EXPECT_TRUE(isLeftOutOfSeal());
@@ -263,7 +263,7 @@ TEST_F(SuspectsTest, TheRowOfAnAnswerThatIsTakenBackIsChosen) {
   key(Qt::Key_F2);
   ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
   const Doubt asked = doubts()[rows()[*panel().current()].number];
-  key(Qt::Key_2); // another than it is: the plant changes
+  keyOnceDrawn(Qt::Key_2); // another than it is: the plant changes
   ASSERT_TRUE(waitForAll());
   key(Qt::Key_Backspace);
   ASSERT_TRUE(waitForAll());
@@ -332,7 +332,7 @@ TEST_F(SuspectsTest, ADoubtThatIsIgnoredIsNotAskedUntilItIsShownAgain) {
 // plant before until all is listed anew.
 TEST_F(SuspectsTest, AnotherStructureIsOpenedWhereADoubtIsAnswered) {
   go(first(true));
-  key(Qt::Key_1);
+  keyOnceDrawn(Qt::Key_1);
   key(Qt::Key_Escape);
   ASSERT_TRUE(waitForAll());
   ASSERT_FALSE(window().part<DoubtsFlow>().kept().empty());
@@ -354,7 +354,7 @@ TEST_F(SuspectsTest, AnsweringAnIgnoredDoubtIsAnAnswer) {
   key(Qt::Key_Backspace); // there is no answer to take back
   EXPECT_TRUE(isAsked());
   const int steps = document().undoStack().index();
-  key(Qt::Key_1); // as it is
+  keyOnceDrawn(Qt::Key_1); // as it is
   EXPECT_TRUE(window().part<DoubtsFlow>().ignored().empty());
   EXPECT_TRUE(window().part<DoubtsFlow>().isAnswered(doubt));
   EXPECT_LE(document().undoStack().index(), steps + 1);

@@ -118,6 +118,11 @@ void WindowTest::key(int key, Qt::KeyboardModifiers modifiers) {
   QTest::keyClick(window_.get(), static_cast<Qt::Key>(key), modifiers);
 }
 
+void WindowTest::keyOnceDrawn(int key) {
+  waitForView();
+  this->key(key);
+}
+
 void WindowTest::clickButton(const QString& name) {
   QTest::mouseClick(&find<QPushButton>(name), Qt::LeftButton);
 }

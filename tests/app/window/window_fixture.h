@@ -50,6 +50,7 @@ protected:
   void waitForJob();
   void waitForView(); // until the camera rests
   void key(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+  void keyOnceDrawn(int key); // as which answers a question
   void clickButton(const QString& name);
 
   /// Where the pointer picks exactly this node; moves the camera to it if it is covered.

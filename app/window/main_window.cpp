@@ -9,6 +9,7 @@
 #include "app/window/frame/view_sync.h"
 #include "app/window/frame/window_log.h"
 #include "core/mtg/mtg_of_skeleton.h"
+#include "ui/document/time_text.h"
 #include "ui/panels/message_banner.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_line.h"
@@ -19,7 +20,6 @@
 #include <QCloseEvent>
 #include <QFileInfo>
 #include <QGridLayout>
-#include <QLocale>
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
@@ -217,11 +217,9 @@ void MainWindow::connectLog() {
 
 void MainWindow::showCrash(const QString& project, const QString& log) {
   const bool isThere = !project.isEmpty() && QFileInfo::exists(project);
-  Notice notice = {
-      .text =
-          tr("Espalier crashed on %1. What happened is in %2")
-              .arg(QLocale().toString(QFileInfo(log).lastModified(), QLocale::ShortFormat), log),
-      .isError = true};
+  Notice notice = {.text = tr("Espalier crashed on %1. What happened is in %2")
+                               .arg(momentText(QFileInfo(log).lastModified()), log),
+                   .isError = true};
   if (isThere) {
     notice.text +=
         tr("; what was done until then is saved in %1").arg(QFileInfo(project).fileName());

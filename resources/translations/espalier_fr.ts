@@ -3239,6 +3239,10 @@
         <source>Answer the Question</source>
         <translation>Répondre à la question</translation>
     </message>
+    <message>
+        <source>Not answered: this question was not drawn yet</source>
+        <translation>Sans réponse&#xa0;: cette question n’était pas encore affichée</translation>
+    </message>
 </context>
 <context>
     <name>espalier::AxisReviewModel</name>
@@ -8316,10 +8320,6 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <translation>Réviseur</translation>
     </message>
     <message>
-        <source>Your name</source>
-        <translation>Votre nom</translation>
-    </message>
-    <message>
         <source>Kept with what you review and sign</source>
         <translation>Gardé avec ce que vous révisez et signez</translation>
     </message>
@@ -8342,6 +8342,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>Several comments</source>
         <translation>Plusieurs commentaires</translation>
+    </message>
+    <message>
+        <source>Reviewer: your name</source>
+        <translation>Réviseur&#xa0;: votre nom</translation>
     </message>
 </context>
 <context>
@@ -8562,10 +8566,6 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <translation>Écrit une page sur la structure signée, avec des images&#xa0;: qui a signé, ce qui restait ouvert, comment elle s’accorde avec d’autres</translation>
     </message>
     <message>
-        <source>No seal: %1 cannot carry one, a project can.</source>
-        <translation>Pas de sceau&#xa0;: %1 ne peut pas en porter, un projet le peut.</translation>
-    </message>
-    <message>
         <source>Not signed yet.</source>
         <translation>Pas encore signé.</translation>
     </message>
@@ -8672,6 +8672,10 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>%1 of %2 nodes are not reviewed, %3 of them doubtful: {next_not_reviewed} goes to the next</source>
         <translation>%1 nœuds sur %2 ne sont pas révisés, dont %3 douteux&#xa0;: {next_not_reviewed} mène au suivant</translation>
+    </message>
+    <message>
+        <source>Not signed: only a project can carry a seal.</source>
+        <translation>Pas signée&#xa0;: seul un projet peut porter un sceau.</translation>
     </message>
 </context>
 <context>

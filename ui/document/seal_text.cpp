@@ -4,10 +4,9 @@
 #include "ui/document/finding_title.h"
 #include "ui/document/hand_work_text.h"
 #include "ui/document/number_scale.h"
+#include "ui/document/time_text.h"
 
 #include <QCoreApplication>
-#include <QDateTime>
-#include <QLocale>
 #include <QStringList>
 
 #include <utility>
@@ -72,10 +71,7 @@ QString findingsText(const SealedState& state) {
 }
 
 QString signatureOf(const Seal& seal) {
-  const QDateTime time = QDateTime::fromMSecsSinceEpoch(seal.time);
-  return SealText::tr("%1 on %2")
-      .arg(QString::fromStdString(seal.author),
-           QLocale().toString(time, QStringLiteral("d MMM yyyy, HH:mm")));
+  return SealText::tr("%1 on %2").arg(QString::fromStdString(seal.author), momentText(seal.time));
 }
 
 std::vector<SealRow> sealRows(const Seal& seal, LengthUnit unit) {

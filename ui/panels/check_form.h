@@ -31,7 +31,7 @@ public:
   /// Shows these, and the defaults of the others; emits nothing. Unknown names are passed over.
   void choose(const std::map<std::string, double>& chosen);
 
-  void setOpen(bool isOpen);
+  void setOpen(bool isOpen); // opened, it is shown
   [[nodiscard]] bool isOpen() const;
 
 signals:

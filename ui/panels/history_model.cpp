@@ -1,6 +1,7 @@
 #include "ui/panels/history_model.h"
 
 #include "ui/document/plant_document.h"
+#include "ui/document/time_text.h"
 
 #include <QApplication>
 #include <QDateTime>
@@ -126,7 +127,7 @@ QString HistoryModel::timeOf(int position, bool isWhole) const {
   const QDateTime time = QDateTime::fromMSecsSinceEpoch(document_.step(position - 1).time);
   if (isWhole) return QLocale().toString(time, QLocale::LongFormat);
   if (time.date() == QDate::currentDate()) return time.toString(QStringLiteral("HH:mm:ss"));
-  return QLocale().toString(time, QStringLiteral("d MMM yyyy HH:mm"));
+  return momentText(time);
 }
 
 } // namespace espalier

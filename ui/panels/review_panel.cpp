@@ -134,17 +134,6 @@ void ReviewPanel::addCoverage(QVBoxLayout& column) {
 }
 
 void ReviewPanel::addChosen(QVBoxLayout& column, const Actions& actions) {
-  place_->setObjectName("review_place");
-  place_->setWordWrap(true);
-  state_->setObjectName("review_state");
-  state_->setProperty("role", "quiet");
-  why_->setObjectName("review_why");
-  why_->setWordWrap(true);
-  for (QLabel* label : {place_, why_, state_}) { // must not widen the panel
-    label->setMinimumWidth(72);
-    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    column.addWidget(label);
-  }
   QGridLayout* grid = makeGrid(column);
   grid->addWidget(sharingButton(*actions.previous, tr("◂ Previous")), 0, 0);
   grid->addWidget(sharingButton(*actions.next, tr("Next ▸")), 0, 1);
@@ -159,6 +148,17 @@ void ReviewPanel::addChosen(QVBoxLayout& column, const Actions& actions) {
   grid = makeGrid(column);
   grid->addWidget(sharingButton(*actions.doubtful, tr("Doubtful")), 0, 0);
   grid->addWidget(sharingButton(*actions.toDo, tr("To Do")), 0, 1);
+  place_->setObjectName("review_place");
+  place_->setWordWrap(true);
+  why_->setObjectName("review_why");
+  why_->setWordWrap(true);
+  state_->setObjectName("review_state");
+  state_->setProperty("role", "quiet");
+  for (QLabel* label : {place_, why_, state_}) { // below the buttons, which so stay where they are
+    label->setMinimumWidth(72);                  // must not widen the panel
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    column.addWidget(label);
+  }
   comment_->setObjectName("review_comment");
   comment_->setAccessibleName(tr("Comment"));
   comment_->setPlaceholderText(tr("Comment"));
@@ -205,17 +205,14 @@ void ReviewPanel::addAxes(QVBoxLayout& column) {
 }
 
 void ReviewPanel::addSeal(QVBoxLayout& column, const Actions& actions) {
-  auto* title = new QLabel(tr("Reviewer"));
-  title->setProperty("role", "section");
   reviewer_->setObjectName("reviewer");
   reviewer_->setAccessibleName(tr("Reviewer"));
-  reviewer_->setPlaceholderText(tr("Your name"));
+  reviewer_->setPlaceholderText(tr("Reviewer: your name"));
   reviewer_->setToolTip(tr("Kept with what you review and sign"));
   reviewer_->setMinimumWidth(72);
   seal_->setObjectName("seal");
   seal_->setWordWrap(true);
   seal_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  column.addWidget(title);
   column.addWidget(reviewer_);
   column.addWidget(seal_);
   column.addWidget(sharingButton(*actions.sign, tr("Sign Structure…")));
@@ -258,7 +255,7 @@ void ReviewPanel::refreshChosen() {
   std::vector<NodeId> nodes = document_.selection().nodes();
   const Skeleton& skeleton = document_.skeleton();
   std::erase_if(nodes, [&](NodeId id) { return !skeleton.contains(id); }); // they leave it next
-  state_->setVisible(!nodes.empty());
+  state_->hide();
   comment_->setText({});
   comment_->setPlaceholderText(tr("Comment"));
   if (nodes.empty()) return;
@@ -267,6 +264,8 @@ void ReviewPanel::refreshChosen() {
     return std::ranges::all_of(
         nodes, [&](NodeId id) { return skeleton[id].review.*member == first.*member; });
   };
+  const bool isToDo = all(&ReviewMark::state) && first.state == ReviewState::toDo;
+  state_->setVisible(!isToDo);
   QString state = titleOf(coverage(skeleton, nodes).state());
   if (!all(&ReviewMark::state)) state += tr(", in part");
   if (all(&ReviewMark::reviewer) && !first.reviewer.empty())

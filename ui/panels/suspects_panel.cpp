@@ -29,7 +29,7 @@ namespace espalier {
 
 SuspectsPanel::SuspectsPanel(const PlantDocument& document, const Actions& actions,
                              CheckForm& checks, SuspectsModel::TextOf textOf, QWidget* parent)
-    : QWidget(parent), document_(document), actions_(actions),
+    : QWidget(parent), document_(document), actions_(actions), checks_(checks),
       model_(new SuspectsModel(std::move(textOf), this)),
       title_(makeLabel("findings_title", "title")),
       agreement_(makeLabel("doubts_agreement", "value")),
@@ -63,7 +63,7 @@ SuspectsPanel::SuspectsPanel(const PlantDocument& document, const Actions& actio
   column->addWidget(agreement_);
   rest_ = sharingButton(*actions.decideRest);
   column->addWidget(rest_);
-  column->addWidget(&checks, 1);
+  column->addWidget(&checks_, 1);
   column->addStretch(); // without a list, what there is stays at the top
   show({});
   showAgreement({}, true);
@@ -195,6 +195,7 @@ void SuspectsPanel::refreshShown() {
                           2 * list_->frameWidth());
   sentence_->setVisible(!isAsked && !sentence_->text().isEmpty());
   rest_->setVisible(!isAsked);
+  checks_.setVisible(!isAsked || checks_.isOpen());
 }
 
 void SuspectsPanel::setCurrent(std::optional<std::size_t> row) {

@@ -82,6 +82,7 @@ private:
 
   const PlantDocument& document_;
   Actions actions_;
+  CheckForm& checks_;
   SuspectsModel* model_;
   QLabel* title_;
   QLabel* agreement_;

@@ -6,11 +6,11 @@
 #include "core/base/error.h"
 #include "core/project/corrections.h"
 #include "ui/document/plant_document.h"
+#include "ui/document/time_text.h"
 
 #include <QAction>
 #include <QDateTime>
 #include <QInputDialog>
-#include <QLocale>
 #include <QMainWindow>
 #include <QMenu>
 
@@ -22,18 +22,10 @@
 namespace espalier {
 namespace {
 
-QString timeText(std::int64_t time) {
-  return QLocale().toString(QDateTime::fromMSecsSinceEpoch(time), QLocale::ShortFormat);
-}
-
-QString dateText(std::int64_t time) {
-  return QLocale().toString(QDateTime::fromMSecsSinceEpoch(time).date(), QLocale::ShortFormat);
-}
-
 /// "name · Anna, 26 Nov 2026 17:03"
 QString withMaker(const QString& name, const std::string& author, std::int64_t time) {
   const QString who = QString::fromStdString(author);
-  return name + QStringLiteral(" · ") + (who.isEmpty() ? who : who + ", ") + timeText(time);
+  return name + QStringLiteral(" · ") + (who.isEmpty() ? who : who + ", ") + momentText(time);
 }
 
 } // namespace
@@ -108,7 +100,8 @@ std::vector<VersionsFlow::Choice> VersionsFlow::choices() const {
   std::ranges::reverse(ends);
   for (const std::size_t end : ends) {
     const HistoryStep& last = done[end - 1];
-    const QString name = tr("the end of %1").arg(dateText(last.time));
+    const QString name =
+        tr("the end of %1").arg(dayText(QDateTime::fromMSecsSinceEpoch(last.time).date()));
     all.push_back({name, withMaker(name, last.author, last.time),
                    [history, end] { return skeletonAt(*history, end); }});
   }

@@ -4,12 +4,12 @@
 #include "app/window/files/load_files.h"
 #include "core/base/error.h"
 #include "core/project/project.h"
+#include "ui/document/time_text.h"
 
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QLocale>
 #include <QSettings>
 #include <QStandardPaths>
 
@@ -56,7 +56,7 @@ QString dayOf(const QDateTime& time, const QDateTime& now) {
   const qint64 days = time.date().daysTo(now.date());
   if (days == 0) return SessionText::tr("today");
   if (days == 1) return SessionText::tr("yesterday");
-  return QLocale().toString(time.date(), QLocale::ShortFormat);
+  return dayText(time.date());
 }
 
 } // namespace
@@ -109,8 +109,7 @@ QString describe(const Session& session, const QDateTime& now) {
                             ? session.name
                             : SessionText::tr("%1 in %2").arg(session.name, folder);
   return QStringLiteral("%1, %2, %3 %4")
-      .arg(plant, edits, dayOf(session.last, now),
-           QLocale().toString(session.last.time(), QLocale::ShortFormat));
+      .arg(plant, edits, dayOf(session.last, now), clockText(session.last.time()));
 }
 
 } // namespace espalier

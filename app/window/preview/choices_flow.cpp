@@ -4,10 +4,10 @@
 #include "app/window/preview/judge_flow.h"
 #include "app/window/preview/sweep_flow.h"
 #include "core/base/error.h"
+#include "ui/document/time_text.h"
 
 #include <QAction>
 #include <QDateTime>
-#include <QLocale>
 
 #include <utility>
 
@@ -43,7 +43,7 @@ void ChoicesFlow::record() {
   if (record.states.empty())
     throw Error(tr("there is nothing to record: show Preview in Numbers, or run a sweep, first")
                     .toStdString());
-  record.time = QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat);
+  record.time = momentText(QDateTime::currentDateTime());
   std::vector<ChoiceRecord> records = records_;
   records.push_back(std::move(record));
   set(std::move(records));

@@ -76,9 +76,7 @@ void SealFlow::setEnabled(bool isEnabled) {
 QString SealFlow::text() const {
   if (!seal_) {
     const bool isInFile = !parts_.projects.isNamed() && !parts_.document.filePath().isEmpty();
-    return isInFile ? tr("No seal: %1 cannot carry one, a project can.")
-                          .arg(QFileInfo(parts_.document.filePath()).fileName())
-                    : tr("Not signed yet.");
+    return isInFile ? tr("Not signed: only a project can carry a seal.") : tr("Not signed yet.");
   }
   if (!isIntact())
     return (isBeforeSigned()

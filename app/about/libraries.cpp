@@ -43,6 +43,7 @@ std::vector<Library> libraries() {
   return {{"Qt", qVersion(), "LGPL-3.0-only", Shown::tr("windows, pictures in 2D, reports")},
           {"VTK", graphics.vtk, "BSD-3-Clause", Shown::tr("pictures in 3D")},
           {"GLEW", graphics.glew, "BSD-3-Clause AND MIT", Shown::tr("functions of OpenGL")},
+          {"libspnav", SPNAV_VERSION, "BSD-3-Clause", Shown::tr("3D mice")},
           {"Eigen", dotted({EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION}),
            "MPL-2.0", Shown::tr("vectors and matrices")},
           {"nanoflann",

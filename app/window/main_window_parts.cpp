@@ -60,6 +60,7 @@
 #include "app/window/view/hull_flow.h"
 #include "app/window/view/saved_views.h"
 #include "app/window/view/shown_flow.h"
+#include "app/window/view/space_mouse_flow.h"
 #include "app/window/view/two_views_flow.h"
 #include "app/window/view/value_colors.h"
 #include "app/window/view/view_options.h"
@@ -232,6 +233,7 @@ void MainWindow::makeViews() {
   auto& twoViews = parts_.make<TwoViewsFlow>(
       TwoViewsFlow::Parts{*view_, *views_, *actions_, editing, settings_});
   parts_.make<CloseLookFlow>(CloseLookFlow::Parts{document_, *view_, *actions_, editing, twoViews});
+  parts_.make<SpaceMouseFlow>(SpaceMouseFlow::Parts{editing, *actions_, *this});
   parts_.make<ValueColors>(
       ValueColors::Parts{document_, *view_, *actions_, parts_.get<ViewOptions>(),
                          parts_.get<ScanDistances>(), parts_.get<OrganFlow>()});

@@ -12682,6 +12682,10 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <source>%1 of %2 points are used: more do not make the skeleton better</source>
         <translation>%1&#xa0;points sur %2 sont utilisés&#xa0;: davantage n’améliore pas le squelette</translation>
     </message>
+    <message>
+        <source>3D mice</source>
+        <translation>souris 3D</translation>
+    </message>
 </context>
 <context>
     <name>espalier::ShownFlow</name>

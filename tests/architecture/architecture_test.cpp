@@ -179,6 +179,7 @@ TEST(Architecture, LibrariesAreNamedInTheirRoomsOnly) {
       {"zlib", {"core/io/qsm/mat_file.", "ui/view/animated_png."}},
       {"sqlite3", {"core/project/"}},
       {"vtk", {"ui/view/"}},
+      {"spnav", {"ui/view/space_mouse."}},
       {"CLI/", {"app/cli/"}},
       {"libqhull", {"core/base/qhull."}},
       {"xxhash", {"core/project/"}},

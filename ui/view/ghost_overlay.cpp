@@ -165,15 +165,14 @@ Color colorOfGhost(int number, bool dark) {
     return colors.branching;
   case 3:
     return colors.normal;
-  case 4:
-    return colors.contracted;
-  default:
+  default: // 4, and none
     return colors.contracted;
   }
 }
 
 std::vector<GhostNumber> numbersOf(const std::vector<ShownGhost>& ghosts, const ScreenMap& screen) {
   std::vector<std::vector<QPolygonF>> all;
+  all.reserve(ghosts.size());
   for (const ShownGhost& ghost : ghosts)
     all.push_back(seenLines(ghost, screen));
   NumberPlaces places(all, QSizeF(screen.size().x(), screen.size().y()));

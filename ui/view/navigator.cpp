@@ -9,6 +9,10 @@ namespace {
 constexpr double turnPerPixel = 0.007; // [rad]
 constexpr double zoomPerPixel = 0.006; // as a power of e
 constexpr double zoomPerStep = 0.16;   // likewise, a notch of the wheel
+// Of a cap that is held as far as it goes, in a second.
+constexpr double turnPerSteering = 2;    // [rad]
+constexpr double shiftPerSteering = 1.5; // heights of what is seen
+constexpr double zoomPerSteering = 1.5;  // as a power of e
 
 } // namespace
 
@@ -41,8 +45,11 @@ void Navigator::begin(Gesture gesture, const QPointF& at, const Eigen::Vector3d&
   gesture_ = gesture;
   last_ = at;
   anchor_ = anchor;
-  if (gesture != Gesture::turn) return;
-  // A pivot that was left behind by panning would swing the plant out of sight.
+  if (gesture == Gesture::turn) keepPivotSeen();
+}
+
+/// A pivot that was left behind by panning would swing the plant out of sight.
+void Navigator::keepPivotSeen() {
   const Eigen::Vector2d size(screen_.width(), screen_.height());
   const auto pivot = ScreenMap(camera_, size).project(camera_.pivot);
   const bool seen =
@@ -81,6 +88,16 @@ void Navigator::zoom(double factor, const Eigen::Vector3d& anchor) {
 
 void Navigator::pinch(double factor) {
   zoom(factor, anchor_);
+  emit moved();
+}
+
+void Navigator::steer(const Steering& by) {
+  flight_.stop();
+  keepPivotSeen();
+  camera_.turn(-turnPerSteering * by.turn.y(), turnPerSteering * by.turn.x());
+  const double height = 2 * camera_.halfHeight();
+  camera_.pan(shiftPerSteering * height * by.shift.x(), shiftPerSteering * height * by.shift.y());
+  zoom(std::exp(-zoomPerSteering * by.shift.z()), camera_.focus);
   emit moved();
 }
 

@@ -9,6 +9,13 @@
 
 namespace espalier {
 
+/// What a 3D mouse does to the plant: how far its cap was held from its rest, times how long. 1 is
+/// as far as it goes, for a second.
+struct Steering {
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero(); // to the right, up, and away from the eye
+  Eigen::Vector2d turn = Eigen::Vector2d::Zero();  // right-handed, about what is right, and up
+};
+
 /// Moves the camera: by the hand of the user at once, by the program over 200 ms. A hand on the
 /// camera stops what the program does.
 class Navigator : public QObject {
@@ -36,12 +43,14 @@ public:
   void drag(const QPointF& to); // pre: a gesture is on
   void end() { gesture_ = Gesture::none; }
   void pinch(double factor);                               // > 1 comes nearer; pre: a gesture is on
+  void steer(const Steering& by);                          // the plant
   void wheel(double steps, const Eigen::Vector3d& anchor); // positive comes nearer
 
 signals:
   void moved();
 
 private:
+  void keepPivotSeen();
   void zoom(double factor, const Eigen::Vector3d& anchor);
 
   Camera camera_;

@@ -234,6 +234,10 @@ Camera PlantView::cameraToSee(const Sight& sight) const {
   return chosen;
 }
 
+void PlantView::steer(const Steering& by) {
+  if (!isInGesture()) parts_->navigator.steer(by);
+}
+
 bool PlantView::isStill() const {
   return parts_->complete && !parts_->moving && !parts_->navigator.isFlying();
 }

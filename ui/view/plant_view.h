@@ -14,6 +14,7 @@
 #include "ui/view/ghost_overlay.h"
 #include "ui/view/hull_overlay.h"
 #include "ui/view/in_view.h"
+#include "ui/view/navigator.h"
 #include "ui/view/node_look.h"
 #include "ui/view/plant_state.h"
 #include "ui/view/point_colors.h"
@@ -151,6 +152,8 @@ public:
   /// From where a part of the plant is seen best; of one that was asked for before, and has not
   /// been moved, the same as then. pre: the sight is not empty
   [[nodiscard]] Camera cameraToSee(const Sight& sight) const;
+
+  void steer(const Steering& by); // its camera, by a 3D mouse; not in mid-gesture
 
   /// Is the view at rest: nothing moves, and all points are drawn? (Never, before it is shown.)
   [[nodiscard]] bool isStill() const;

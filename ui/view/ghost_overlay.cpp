@@ -93,7 +93,7 @@ public:
   NumberPlaces(const std::vector<std::vector<QPolygonF>>& lines, const QSizeF& screen)
       : lines_(lines), inside_(QRectF(QPointF(), screen).adjusted(disk, disk, -disk, -disk)) {}
 
-  /// The first of some places, or the one that covers least.
+  /// Beside one of some places of a ghost: where it covers least, and stands nearest.
   QPointF beside(const std::vector<QPointF>& named, std::size_t own) {
     QPointF best = named.front();
     double least = std::numeric_limits<double>::infinity();
@@ -114,6 +114,7 @@ public:
 private:
   static constexpr int directions = 16;
 
+  /// To stand off the screen is worst, then on another number, then on lines.
   [[nodiscard]] double covered(const QPointF& at) const {
     double sum = inside_.contains(at) ? 0 : 20;
     for (const QPointF& other : taken_)

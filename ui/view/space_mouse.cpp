@@ -1,5 +1,6 @@
 #include "ui/view/space_mouse.h"
 
+#include <QFileInfo>
 #include <QSocketNotifier>
 
 #include <algorithm>
@@ -18,6 +19,12 @@ Steering steeringOf(const spnav_event_motion& motion) {
           .turn = much * Eigen::Vector2d(motion.rx, motion.ry)};
 }
 
+/// Whether a driver may be there, where libspnav looks: each of its tries in vain keeps memory.
+bool mayHaveDriver() {
+  return qEnvironmentVariableIsSet("SPNAV_SOCKET") || QFileInfo::exists("/etc/spnavrc") ||
+         QFileInfo::exists("/var/run/spnav.sock");
+}
+
 /// The driver has ended, or was stopped.
 bool isClosed(int socket) {
   char byte = 0;
@@ -33,7 +40,7 @@ SpaceMouse::~SpaceMouse() {
 }
 
 void SpaceMouse::connectToDriver() {
-  if (isConnected() || spnav_open() == -1) return;
+  if (isConnected() || !mayHaveDriver() || spnav_open() == -1) return;
   events_ = std::make_unique<QSocketNotifier>(spnav_fd(), QSocketNotifier::Read);
   connect(events_.get(), &QSocketNotifier::activated, this, &SpaceMouse::take);
 }

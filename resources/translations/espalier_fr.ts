@@ -3240,8 +3240,8 @@
         <translation>Répondre à la question</translation>
     </message>
     <message>
-        <source>Not answered: this question was not drawn yet</source>
-        <translation>Sans réponse&#xa0;: cette question n’était pas encore affichée</translation>
+        <source>Not answered: the question was not drawn yet. Answer it now</source>
+        <translation>Sans réponse&#xa0;: la question n’était pas encore affichée. Répondez maintenant</translation>
     </message>
 </context>
 <context>
@@ -8344,8 +8344,8 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <translation>Plusieurs commentaires</translation>
     </message>
     <message>
-        <source>Reviewer: your name</source>
-        <translation>Réviseur&#xa0;: votre nom</translation>
+        <source>Your name</source>
+        <translation>Votre nom</translation>
     </message>
 </context>
 <context>
@@ -8567,7 +8567,7 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
     <message>
         <source>Not signed yet.</source>
-        <translation>Pas encore signé.</translation>
+        <translation>Pas encore signée.</translation>
     </message>
     <message>
         <source>✗ Undone to before it was signed by %1: redo leads back to the seal.</source>

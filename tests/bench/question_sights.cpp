@@ -118,7 +118,6 @@ void printQuestionSights(const std::shared_ptr<const PointCloud>& cloud, int wid
     if (const std::vector<double> lengths = freeLengths(ghosts, now, size); !lengths.empty())
       least.push_back(std::ranges::min(lengths));
     if (const auto one = leastApart(ghosts, now, size)) apart.push_back(*one);
-    std::printf("node %zu apart %.1f of %zu\n", indexOf(doubt.node), apart.back(), ghosts.size());
   }
   std::printf("questions: %zu\n", doubts.size());
   printLeast("free", least, 10);

@@ -8,7 +8,7 @@
 
 namespace espalier {
 
-/// "26 Nov 2026", as all texts have days.
+/// "26 Nov 2026", as lists and messages have days.
 [[nodiscard]] inline QString dayText(const QDate& day) {
   return QLocale().toString(day, QStringLiteral("d MMM yyyy"));
 }

@@ -81,9 +81,9 @@ void CheckForm::choose(const std::map<std::string, double>& chosen) {
 void CheckForm::setOpen(bool isOpen) {
   header_->setChecked(isOpen);
   body_->setVisible(isOpen);
-  if (isOpen) show(); // beside a question it is hidden
   setSizePolicy(QSizePolicy::Preferred, isOpen ? QSizePolicy::Expanding : QSizePolicy::Maximum);
   refreshHeader();
+  emit opened(isOpen);
 }
 
 bool CheckForm::isOpen() const {

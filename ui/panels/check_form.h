@@ -31,10 +31,11 @@ public:
   /// Shows these, and the defaults of the others; emits nothing. Unknown names are passed over.
   void choose(const std::map<std::string, double>& chosen);
 
-  void setOpen(bool isOpen); // opened, it is shown
+  void setOpen(bool isOpen);
   [[nodiscard]] bool isOpen() const;
 
 signals:
+  void opened(bool isOpen);
   void changed();
 
 private:

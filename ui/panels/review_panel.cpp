@@ -207,13 +207,16 @@ void ReviewPanel::addAxes(QVBoxLayout& column) {
 void ReviewPanel::addSeal(QVBoxLayout& column, const Actions& actions) {
   reviewer_->setObjectName("reviewer");
   reviewer_->setAccessibleName(tr("Reviewer"));
-  reviewer_->setPlaceholderText(tr("Reviewer: your name"));
+  reviewer_->setPlaceholderText(tr("Your name"));
   reviewer_->setToolTip(tr("Kept with what you review and sign"));
   reviewer_->setMinimumWidth(72);
   seal_->setObjectName("seal");
   seal_->setWordWrap(true);
   seal_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  column.addWidget(reviewer_);
+  auto* row = new QHBoxLayout;
+  row->addWidget(new QLabel(tr("Reviewer")));
+  row->addWidget(reviewer_, 1);
+  column.addLayout(row);
   column.addWidget(seal_);
   column.addWidget(sharingButton(*actions.sign, tr("Sign Structure…")));
   connect(reviewer_, &QLineEdit::editingFinished, this,

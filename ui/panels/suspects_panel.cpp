@@ -64,6 +64,7 @@ SuspectsPanel::SuspectsPanel(const PlantDocument& document, const Actions& actio
   rest_ = sharingButton(*actions.decideRest);
   column->addWidget(rest_);
   column->addWidget(&checks_, 1);
+  connect(&checks_, &CheckForm::opened, this, &SuspectsPanel::refreshShown);
   column->addStretch(); // without a list, what there is stays at the top
   show({});
   showAgreement({}, true);

@@ -134,8 +134,9 @@ private:
         least = std::min(least, distanceOf(at, line));
       return least;
     };
+    const double ofOwn = distance(lines_[own]);
     for (std::size_t i = 0; i < lines_.size(); ++i)
-      if (i != own && distance(lines_[i]) < distance(lines_[own])) return false;
+      if (i != own && distance(lines_[i]) < ofOwn) return false;
     return true;
   }
 
@@ -145,13 +146,18 @@ private:
 };
 
 /// At the end of what would go.
-void paintCross(QPainter& painter, const QPointF& at, const Color& color, const Palette& colors) {
+std::vector<QPolygonF> crossAt(const QPointF& at) {
   constexpr double arm = 9;
+  return {QPolygonF({at + QPointF(-arm, -arm), at + QPointF(arm, arm)}),
+          QPolygonF({at + QPointF(-arm, arm), at + QPointF(arm, -arm)})};
+}
+
+void paintCross(QPainter& painter, const QPointF& at, const Color& color, const Palette& colors) {
   for (const QPen& pen : {QPen(toQt(colors.outline, 200), width + rim, Qt::SolidLine, Qt::RoundCap),
                           QPen(toQt(color), width, Qt::SolidLine, Qt::RoundCap)}) {
     painter.setPen(pen);
-    painter.drawLine(at + QPointF(-arm, -arm), at + QPointF(arm, arm));
-    painter.drawLine(at + QPointF(-arm, arm), at + QPointF(arm, -arm));
+    for (const QPolygonF& line : crossAt(at))
+      painter.drawPolyline(line);
   }
 }
 
@@ -174,8 +180,11 @@ Color colorOfGhost(int number, bool dark) {
 std::vector<GhostNumber> numbersOf(const std::vector<ShownGhost>& ghosts, const ScreenMap& screen) {
   std::vector<std::vector<QPolygonF>> all;
   all.reserve(ghosts.size());
-  for (const ShownGhost& ghost : ghosts)
+  for (const ShownGhost& ghost : ghosts) {
     all.push_back(seenLines(ghost, screen));
+    if (ghost.look != ShownGhost::Look::removed || all.back().empty()) continue;
+    all.back() = crossAt(all.back().front().back()); // all that is drawn of it
+  }
   NumberPlaces places(all, QSizeF(screen.size().x(), screen.size().y()));
   std::vector<GhostNumber> numbers;
   for (std::size_t i = 0; i < ghosts.size(); ++i) {
@@ -183,7 +192,7 @@ std::vector<GhostNumber> numbersOf(const std::vector<ShownGhost>& ghosts, const 
     const QPolygonF& line = *std::ranges::max_element(all[i], {}, lengthOf);
     std::vector<QPointF> named;
     if (ghosts[i].look == ShownGhost::Look::removed)
-      named = {all[i].front().back()}; // its cross
+      named = {along(all[i].front(), 0.5)}; // the middle of its cross
     else
       for (const double share : {0.5, 0.65, 0.35, 0.8, 0.2, 1.0})
         named.push_back(along(line, share));

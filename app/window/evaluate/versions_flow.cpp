@@ -22,7 +22,7 @@
 namespace espalier {
 namespace {
 
-/// "name · Anna, 26 Nov 2026 17:03"
+/// "name · Anna, 26 Nov 2026, 17:03"
 QString withMaker(const QString& name, const std::string& author, std::int64_t time) {
   const QString who = QString::fromStdString(author);
   return name + QStringLiteral(" · ") + (who.isEmpty() ? who : who + ", ") + momentText(time);

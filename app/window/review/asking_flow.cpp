@@ -306,7 +306,7 @@ void AskingFlow::look(const Doubt& doubt) {
 bool AskingFlow::requireDrawn() {
   if (parts_.view.framesAtRest() != framesBefore_) return true;
   parts_.view.setCamera(parts_.view.camera());
-  emit noted(tr("Not answered: this question was not drawn yet"));
+  emit noted(tr("Not answered: the question was not drawn yet. Answer it now"));
   return false;
 }
 

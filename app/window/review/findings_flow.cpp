@@ -11,7 +11,7 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
+#include <set>
 #include <utility>
 
 namespace espalier {
@@ -143,12 +143,11 @@ void FindingsFlow::keepStillSo(std::vector<Finding>& now, std::vector<Report>& r
 
 /// What a step brought about is no more once that is undone, however much of it there was before.
 void FindingsFlow::forgetUndone() {
-  std::map<StepId, bool> done = {{StepId{}, true}};
-  const auto isUndone = [&](const Report& report) {
-    const auto [at, isNew] = done.try_emplace(report.step, false);
-    if (isNew) at->second = parts_.document.isDone(report.step);
-    return !at->second;
-  };
+  const QUndoStack& stack = parts_.document.undoStack();
+  std::set<StepId> undone;
+  for (int i = stack.index(); i < stack.count(); ++i)
+    undone.insert(parts_.document.step(i).id);
+  const auto isUndone = [&](const Report& report) { return undone.contains(report.step); };
   std::erase_if(reportsOfSkeleton_, isUndone);
   std::erase_if(reportsOfScan_, isUndone);
 }

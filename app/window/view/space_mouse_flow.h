@@ -19,7 +19,7 @@ public:
   struct Parts {
     Editing& editing;
     ActionSet& actions;
-    QWidget& window; // steers while it is active alone: the driver serves all programs
+    QWidget& window; // steers only while it, or a panel of it, is active: the driver serves all
   };
   explicit SpaceMouseFlow(const Parts& parts);
 

@@ -119,7 +119,9 @@ void WindowTest::key(int key, Qt::KeyboardModifiers modifiers) {
 }
 
 void WindowTest::keyOnceDrawn(int key) {
-  waitForView();
+  ASSERT_TRUE(
+      QTest::qWaitFor([this] { return view().camera() == view().currentCamera(); }, patience));
+  QApplication::processEvents(); // paints it there, be it with few points
   this->key(key);
 }
 

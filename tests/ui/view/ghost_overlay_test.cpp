@@ -68,6 +68,17 @@ TEST(GhostOverlay, ShortLinesLieOverLongOnes) {
   EXPECT_GT(pixelsOf(1, {small, large}), 4 * 9);
 }
 
+// The wood comes to its cross from the right, where a number would else stand.
+TEST(GhostOverlay, NumbersLeaveACrossFree) {
+  const std::vector<ShownGhost> ghosts = {
+      ghost(1, {{80, 0, 0}, {0, 0, 0}}, ShownGhost::Look::present),
+      ghost(2, {{80, 0, 0}, {0, 0, 0}}, ShownGhost::Look::removed)};
+  const GhostNumber number = numbersOf(ghosts, screenMap()).at(1);
+  for (const double x : {-9.0, 9.0})
+    for (const double y : {-9.0, 9.0})
+      EXPECT_GT(QLineF(number.at, number.of + QPointF(x, y)).length(), GhostNumber::radius + 2);
+}
+
 TEST(GhostOverlay, NumbersStayOnTheScreen) {
   for (const double x : {-198.0, 198.0}) {
     const std::vector<ShownGhost> ghosts = {

@@ -106,7 +106,7 @@ void ReviewPanel::fitTexts() {
   const QMargins margins = widget()->layout()->contentsMargins();
   const int width = viewport()->width() - margins.left() - margins.right();
   const QRect room(0, 0, width, QWIDGETSIZE_MAX);
-  for (QLabel* label : {why_, seal_})
+  for (QLabel* label : {place_, why_, seal_})
     label->setMinimumHeight(
         label->fontMetrics().boundingRect(room, Qt::TextWordWrap, label->text()).height());
 }

@@ -266,6 +266,7 @@ void AskingFlow::goTo(const Doubt& doubt) {
   draw();
   look(*current_);
   framesBefore_ = parts_.view.framesAtRest();
+  sinceAsked_.start();
   emit asked(current_, false);
   refreshEnabled();
   emit hintChanged();
@@ -304,7 +305,8 @@ void AskingFlow::look(const Doubt& doubt) {
 }
 
 bool AskingFlow::requireDrawn() {
-  if (parts_.view.framesAtRest() != framesBefore_) return true;
+  constexpr qint64 longest = 1000; // [ms]: no answer is refused for longer, whatever is drawn
+  if (parts_.view.framesAtRest() != framesBefore_ || sinceAsked_.elapsed() > longest) return true;
   parts_.view.setCamera(parts_.view.camera());
   emit noted(tr("Not answered: the question was not drawn yet. Answer it now"));
   return false;

@@ -4,6 +4,7 @@
 #include "app/window/frame/window_part.h"
 #include "app/window/review/doubts_flow.h"
 
+#include <QElapsedTimer>
 #include <QKeySequence>
 #include <QList>
 #include <QPointer>
@@ -99,6 +100,7 @@ private:
   std::vector<NodeId> selectedBefore_; // when it began
   std::vector<NodeId> selectedByIt_;
   std::optional<Doubt> current_;
+  QElapsedTimer sinceAsked_;
   int framesBefore_ = 0;       // the view was drawn at rest when it was asked
   LearnedAnswer taught_;       // by an answer to it
   StepId stepBefore_ = {};     // done when it was asked

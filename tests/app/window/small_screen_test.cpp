@@ -40,6 +40,13 @@ struct SmallScreenTest : test::WindowTest {
     for (int i = 0; i < 10; ++i) // layouts follow their contents in events
       QCoreApplication::processEvents();
   }
+  static QString textOf(const QRect& rect) {
+    return QString("%1x%2 at %3, %4")
+        .arg(rect.width())
+        .arg(rect.height())
+        .arg(rect.x())
+        .arg(rect.y());
+  }
   static bool isToBeUsed(const QWidget& widget) {
     return widget.isVisible() && (qobject_cast<const QAbstractButton*>(&widget) != nullptr ||
                                   qobject_cast<const QComboBox*>(&widget) != nullptr ||
@@ -60,8 +67,10 @@ struct SmallScreenTest : test::WindowTest {
         return widget->visibleRegion().boundingRect() == widget->rect();
       };
       if (!QTest::qWaitFor(isWhole, 5'000))
-        found.append(dock.objectName() + ": " + widget->objectName() + ' ' +
-                     widget->metaObject()->className());
+        found.append(
+            QString("%1: %2 %3, seen %4 of %5")
+                .arg(dock.objectName(), widget->objectName(), widget->metaObject()->className(),
+                     textOf(widget->visibleRegion().boundingRect()), textOf(widget->geometry())));
     }
     return found;
   }
@@ -74,7 +83,7 @@ TEST_F(SmallScreenTest, HasRoomForEachPanelByItself) {
     const bool wasShown = show.isChecked();
     show.setChecked(true);
     waitForJob();
-    EXPECT_EQ(cutOff(*dock).join(", "), QString());
+    EXPECT_EQ(cutOff(*dock).join(", ").toStdString(), "");
     if (!wasShown) show.setChecked(false);
   }
 }
@@ -82,7 +91,7 @@ TEST_F(SmallScreenTest, HasRoomForEachPanelByItself) {
 TEST_F(SmallScreenTest, HasRoomForAllPanelsTogether) {
   openPlant();
   for (QDockWidget* dock : showAll())
-    EXPECT_EQ(cutOff(*dock).join(", "), QString());
+    EXPECT_EQ(cutOff(*dock).join(", ").toStdString(), "");
 }
 
 TEST_F(SmallScreenTest, CutsNoNameOfAPanelThatIsATab) {

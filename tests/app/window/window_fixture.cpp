@@ -119,9 +119,7 @@ void WindowTest::key(int key, Qt::KeyboardModifiers modifiers) {
 }
 
 void WindowTest::keyOnceDrawn(int key) {
-  ASSERT_TRUE(
-      QTest::qWaitFor([this] { return view().camera() == view().currentCamera(); }, patience));
-  QApplication::processEvents(); // paints it there, be it with few points
+  waitForView();
   this->key(key);
 }
 

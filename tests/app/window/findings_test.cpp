@@ -1,7 +1,7 @@
 #include "app/window/files/load_files.h"
 #include "app/window/review/findings_flow.h"
 #include "core/io/formats.h"
-#include "tests/app/window/project_fixture.h"
+#include "tests/app/window/findings_fixture.h"
 #include "ui/panels/status_line.h"
 
 #include <QComboBox>
@@ -15,50 +15,7 @@
 namespace espalier {
 namespace {
 
-/// The fork, into which mistakes are put.
-struct FindingsWindowTest : test::ProjectWindowTest {
-  void openFork() { open({writeFork("fork.mtg")}); }
-  void openForkAndScan() { open({writeScan("plant.xyz"), writeFork("fork.mtg")}); }
-
-  NodeId shoot(int number) {
-    const double angle = 2 * M_PI * number / 3;
-    return nodeAt({std::cos(angle), std::sin(angle), 2});
-  }
-  void setRadiusOf(NodeId id, double radius) {
-    document().edit("Radius", [=](SkeletonEditor& editor) { editor.setRadius(id, radius); });
-  }
-
-  QTreeView& list() { return find<QTreeView>("findings_list"); }
-  QModelIndex row(int number) { return list().model()->index(number, 0); }
-  QPoint placeOfRow(int number) { return list().visualRect(row(number)).center(); }
-  QString title() { return find<QLabel>("findings_title").text(); }
-  [[nodiscard]] bool waitForTitle(const QString& text) {
-    return QTest::qWaitFor([&] { return title() == text; });
-  }
-  /// The number that is written behind a kind; empty where there are none of it.
-  QString countOf(const QString& kind) {
-    const auto& kinds = find<QComboBox>("findings_kind");
-    const int at = kinds.findText(kind + " (", Qt::MatchStartsWith);
-    return at < 0 ? QString() : kinds.itemText(at).section('(', 1).chopped(1);
-  }
-  void chooseKind(const QString& kind) {
-    auto& kinds = find<QComboBox>("findings_kind");
-    const int at = kinds.findText(kind + " (", Qt::MatchStartsWith);
-    ASSERT_GE(at, 0) << kind.toStdString();
-    kinds.setCurrentIndex(at);
-    emit kinds.activated(at);
-  }
-  std::vector<NodeId> chosen() { return document().selection().nodes(); }
-  bool isDrawn(NodeId id) {
-    return std::ranges::count(view().nodesInside(QRectF(view().rect()), Depth::through), id) > 0;
-  }
-  bool isSeen(const Eigen::Vector3d& place) {
-    const auto shown = view().project(place);
-    return shown && view().rect().contains(shown->toPoint());
-  }
-};
-
-constexpr auto allIsWell = "Nothing to look at: all checks pass";
+using test::FindingsWindowTest;
 
 TEST_F(FindingsWindowTest, ThePanelSaysThatAllIsWell) {
   openFork();
@@ -423,38 +380,6 @@ TEST_F(FindingsWindowTest, TheKeyActsThereWhateverThePointerIsOnUntilItMoves) {
   key(Qt::Key_Q);
   EXPECT_NEAR(document().skeleton()[shoot(0)].radius, 0.19, 1e-9);
   EXPECT_EQ(document().skeleton()[nodeAt({0, 0, 0})].radius, 0.1);
-}
-
-TEST_F(FindingsWindowTest, StayWhileTheyAreMostlyStillSo) {
-  openFork();
-  key(Qt::Key_F8);
-  setRadiusOf(shoot(0), 0.12);
-  ASSERT_TRUE(waitForTitle("1 place may be wrong"));
-  setRadiusOf(shoot(0), 0.107); // within the tenth that is let pass
-  EXPECT_FALSE(QTest::qWaitFor([&] { return title() == allIsWell; }, 300));
-  setRadiusOf(shoot(0), 0.1);
-  EXPECT_TRUE(waitForTitle(allIsWell));
-  setRadiusOf(shoot(0), 0.107);
-  EXPECT_FALSE(QTest::qWaitFor([&] { return title() != allIsWell; }, 300)) << "it never was more";
-}
-
-// What stands after Undo was there before, when it was no finding.
-TEST_F(FindingsWindowTest, WhatAStepBroughtAboutIsGoneOnceItIsUndone) {
-  openFork();
-  key(Qt::Key_F8);
-  setRadiusOf(shoot(0), 0.107); // within the tenth that is let pass
-  ASSERT_FALSE(QTest::qWaitFor([&] { return title() != allIsWell; }, 300));
-  setRadiusOf(shoot(0), 0.12);
-  ASSERT_TRUE(waitForTitle("1 place may be wrong"));
-  action("undo").trigger();
-  EXPECT_TRUE(waitForTitle(allIsWell));
-  action("redo").trigger();
-  ASSERT_TRUE(waitForTitle("1 place may be wrong"));
-  setRadiusOf(shoot(0), 0.107);
-  const NodeId base = nodeAt({0, 0, 0});
-  setRadiusOf(base, 0.11);
-  action("undo").trigger(); // another step than that which brought it about
-  EXPECT_FALSE(QTest::qWaitFor([&] { return title() == allIsWell; }, 300));
 }
 
 TEST_F(FindingsWindowTest, OneSensitivitySetsTheChecksAndTheDistanceOfExplainedPoints) {

@@ -1,4 +1,6 @@
 // The walk of the review over a scan: clean wood whole, risky wood closer, points without wood.
+#include "app/window/files/load_files.h"
+#include "core/io/formats.h"
 #include "core/skeleton/review_stops.h"
 #include "tests/app/window/review_fixture.h"
 #include "ui/panels/status_line.h"

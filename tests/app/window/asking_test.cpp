@@ -54,7 +54,8 @@ TEST_F(AskingTest, AKeyDoesNotAnswerWhatIsNotDrawnYet) {
     key(digit); // before anything is drawn
   EXPECT_EQ(answers(), answered);
   EXPECT_TRUE(isAsked());
-  EXPECT_EQ(window().statusLine().shownText(), "Not answered: the question was not drawn yet. Answer it now");
+  EXPECT_EQ(window().statusLine().shownText(),
+            "Not answered: the question was not drawn yet. Answer it now");
   EXPECT_EQ(view().currentCamera(), view().camera()) << "it is there at once";
   keyOnceDrawn(Qt::Key_1);
   EXPECT_NE(answers(), answered);

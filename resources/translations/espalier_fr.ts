@@ -8093,8 +8093,8 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <translation>Marquer révisé et continuer</translation>
     </message>
     <message>
-        <source>What is selected and seen is right; shows the next stop that is to do. Unless the panel is in front, it only begins the review</source>
-        <translation>Ce qui est sélectionné et vu est juste&#xa0;; montre l’arrêt suivant qui est à faire. Tant que le panneau n’est pas devant, ne fait que commencer la révision</translation>
+        <source>What is selected and seen is right; shows the next stop that is to do. While nothing is selected, or the panel is not in front, it marks nothing and only shows that stop</source>
+        <translation>Ce qui est sélectionné et vu est juste&#xa0;; montre l’arrêt suivant qui est à faire. Tant que rien n’est sélectionné, ou que le panneau n’est pas devant, ne marque rien et ne fait que montrer cet arrêt</translation>
     </message>
     <message>
         <source>Mark Doubtful</source>
@@ -8173,8 +8173,8 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <translation>Commenter&#xa0;: %1</translation>
     </message>
     <message>
-        <source>nothing is selected to mark: walk to a stop, or select nodes</source>
-        <translation>rien n’est sélectionné à marquer&#xa0;: allez à un arrêt, ou sélectionnez des nœuds</translation>
+        <source>nothing is selected to mark: select nodes, or press {next_stretch} to walk to a stop</source>
+        <translation>rien n’est sélectionné à marquer&#xa0;: sélectionnez des nœuds, ou appuyez sur {next_stretch} pour aller à un arrêt</translation>
     </message>
     <message>
         <source>Press . to walk</source>

@@ -121,13 +121,11 @@ void ReviewFlow::addMarkActions() {
     marks_.last()->setAutoRepeat(false); // a key held down marks once
   };
   add("mark_reviewed", tr("Mark Reviewed and Go On"),
-      tr("What is selected and seen is right; shows the next stop that is to do. Unless the "
-         "panel "
-         "is in front, it only begins the review"),
+      tr("What is selected and seen is right; shows the next stop that is to do. While nothing is "
+         "selected, or the panel is not in front, it marks nothing and only shows that stop"),
       Qt::Key_Enter, [this] { markReviewed(); });
   add("mark_doubtful", tr("Mark Doubtful"),
-      tr("What is selected needs another look; with the panel in front, shows the next stop "
-         "that "
+      tr("What is selected needs another look; with the panel in front, shows the next stop that "
          "is to do"),
       QKeySequence(Qt::SHIFT | Qt::Key_Enter), [this] { markDoubtful(); });
   add("mark_to_do", tr("Mark To Do"), tr("What is selected is to be reviewed again"),
@@ -222,7 +220,7 @@ void ReviewFlow::markReviewed() {
   // Enter also accepts previews: one Enter too many must not review what nobody looks at.
   if (!dock_->isInFront()) return step(WalkTo::toDo);
   if (isAtPoints()) return takePoints();
-  requireToMark();
+  if (parts_.document.selection().isEmpty()) return step(WalkTo::toDo);
   const std::vector<NodeId> nodes = parts_.document.selection().nodes();
   requireOneLook(parts_.document.skeleton(), nodes, parts_.actions);
   const QString unseen = unseenText({.skeleton = parts_.document.skeleton(),
@@ -335,7 +333,9 @@ void ReviewFlow::requireChosen(const QString& why) const {
 }
 
 void ReviewFlow::requireToMark() const {
-  requireChosen(tr("nothing is selected to mark: walk to a stop, or select nodes"));
+  requireChosen(withKeys(
+      tr("nothing is selected to mark: select nodes, or press {next_stretch} to walk to a stop"),
+      parts_.actions));
 }
 
 void ReviewFlow::showPlace() {

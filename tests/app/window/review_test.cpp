@@ -29,13 +29,27 @@ TEST_F(ReviewWindowTest, SaysWhyNothingIsMarkedUntilSomethingIsDone) {
   action("show_review").setChecked(true);
   document().selection().clear();
   action("mark_doubtful").trigger();
-  EXPECT_TRUE(window().banner().isVisible());
+  EXPECT_EQ(window().banner().text(),
+            "Nothing is selected to mark: select nodes, or press . to walk to a stop");
   action("mark_doubtful").trigger();
   EXPECT_TRUE(window().banner().isVisible()) << "refused again";
   document().selection().set({shoot()});
   action("mark_doubtful").trigger();
   EXPECT_EQ(markOf(shoot()).state, ReviewState::doubtful);
   EXPECT_FALSE(window().banner().isVisible());
+}
+
+TEST_F(ReviewWindowTest, EnterWhileNothingIsSelectedShowsTheFirstStop) {
+  openFork();
+  action("show_review").setChecked(true);
+  document().selection().clear();
+  view().setFocus();
+  key(Qt::Key_Return);
+  EXPECT_EQ(chosen(), (std::vector{nodeAt({0, 0, 0}), nodeAt({0, 0, 1})}));
+  EXPECT_EQ(document().undoStack().count(), 0) << "nothing is marked";
+  EXPECT_FALSE(window().banner().isVisible());
+  key(Qt::Key_Return);
+  EXPECT_EQ(markOf(nodeAt({0, 0, 1})).state, ReviewState::reviewed);
 }
 
 TEST_F(ReviewWindowTest, SamplesOfColorsFollowTheTheme) {

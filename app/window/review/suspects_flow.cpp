@@ -142,6 +142,7 @@ void SuspectsFlow::connectParts() {
     wasWhole_ = false;
     listed_ = Listed::all;
     kind_ = allKinds;
+    place_.reset();
     refresh();
   });
   for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged})
@@ -152,18 +153,21 @@ void SuspectsFlow::connectParts() {
     parts_.findings.setWanted(isShown);
     isAwaited_ = false;
     wasWhole_ = false;
+    place_.reset();
     refresh();
     if (isShown) agreementTimer_.start(0);
   });
   connect(panel_, &SuspectsPanel::chosen, this, &SuspectsFlow::choose);
   connect(panel_, &SuspectsPanel::kindChosen, this, [this](int kind) {
     kind_ = kind;
+    place_.reset();
     refresh();
   });
   connect(panel_, &SuspectsPanel::currentChanged, this, [this] {
     if (isRefreshing_) return;
     const auto row = panel_->current();
     current_ = row ? std::optional(whatOf(panel_->suspects()[*row])) : std::nullopt;
+    keepPlace();
     refreshTexts();
     showAction();
   });
@@ -213,6 +217,9 @@ std::vector<Suspect> SuspectsFlow::suspects(bool areIgnored) const {
       all.push_back({areIgnored ? Sort::ignoredDoubt : Sort::doubt, i,
                      findingKinds + static_cast<int>(doubts[i].kind), doubts[i].length,
                      doubts[i].wrong(), doubts[i].gain, findingAbout(before + i)});
+  if (isSearching() && current_ && place_) // what was just edited stays in its place
+    for (Suspect& one : all)
+      if (!one.isIgnored() && isSame(one, *current_)) one.gain = place_->gain;
   std::ranges::stable_sort(all, std::greater(), &Suspect::gain);
   return all;
 }
@@ -266,6 +273,7 @@ void SuspectsFlow::refresh() {
     const auto row = current_ ? rowOf(*current_) : std::nullopt;
     if (!row && !isSearching()) current_.reset(); // else it may be found again
     panel_->setCurrent(row);
+    keepPlace();
   }
   refreshTexts();
   showAction();
@@ -293,16 +301,36 @@ void SuspectsFlow::showKinds(const std::vector<Suspect>& all, std::size_t ignore
   panel_->showKinds(kinds, kind_);
 }
 
-std::optional<std::size_t> SuspectsFlow::rowOf(const What& what) const {
+bool SuspectsFlow::isSame(const Suspect& one, const What& what) const {
+  if (one.isDoubt() != std::holds_alternative<Doubt>(what)) return false;
   const double near = 4 * parts_.document.scale().spacing;
+  return one.isDoubt() ? espalier::isSame(doubtOf(one), std::get<Doubt>(what), near)
+                       : espalier::isSame(findingOf(one), std::get<Finding>(what));
+}
+
+std::optional<std::size_t> SuspectsFlow::rowOf(const What& what) const {
   const std::vector<Suspect>& rows = panel_->suspects();
-  const auto at = std::ranges::find_if(rows, [&](const Suspect& one) {
-    if (one.isDoubt() != std::holds_alternative<Doubt>(what)) return false;
-    return one.isDoubt() ? isSame(doubtOf(one), std::get<Doubt>(what), near)
-                         : isSame(findingOf(one), std::get<Finding>(what));
-  });
+  const auto at = std::ranges::find_if(rows, [&](const Suspect& one) { return isSame(one, what); });
   if (at == rows.end()) return std::nullopt;
   return static_cast<std::size_t>(at - rows.begin());
+}
+
+void SuspectsFlow::keepPlace() {
+  if (const auto row = panel_->current()) place_ = {*row, panel_->suspects()[*row].gain};
+}
+
+/// The row that one goes to from where one is; where that is mended, from where it was.
+std::size_t SuspectsFlow::rowFrom(int by) const {
+  const std::vector<Suspect>& rows = panel_->suspects();
+  const std::size_t last = rows.size() - 1;
+  const std::size_t one = by > 0 ? 1 : last;
+  if (const auto at = panel_->current()) return (*at + one) % rows.size();
+  if (!place_) return by > 0 ? 0 : last;
+  const auto alike =
+      std::ranges::equal_range(rows, place_->gain, std::ranges::greater(), &Suspect::gain);
+  const auto next = std::clamp(place_->row, static_cast<std::size_t>(alike.begin() - rows.begin()),
+                               static_cast<std::size_t>(alike.end() - rows.begin()));
+  return (next + (by > 0 ? 0 : last)) % rows.size();
 }
 
 bool SuspectsFlow::isSearching() const {
@@ -321,9 +349,7 @@ void SuspectsFlow::step(int by) {
     return;
   }
   awaitedStep_ = 0;
-  const auto at = panel_->current();
-  std::size_t next = by > 0 ? 0 : count - 1;
-  if (at) next = (*at + count + static_cast<std::size_t>(by > 0 ? 1 : count - 1)) % count;
+  const std::size_t next = rowFrom(by);
   panel_->setCurrent(next);
   choose(next);
 }
@@ -456,6 +482,7 @@ void SuspectsFlow::listOnly(Listed listed) {
   isIn_.assign(skeleton.idEnd(), false);
   for (const NodeId id : nodes)
     isIn_[indexOf(id)] = true;
+  place_.reset();
   dock_->bringToFront();
   refresh();
 }

@@ -68,7 +68,10 @@ private:
   [[nodiscard]] const Finding& findingOf(const Suspect& suspect) const;
   [[nodiscard]] const Doubt& doubtOf(const Suspect& suspect) const;
   [[nodiscard]] What whatOf(const Suspect& suspect) const;
+  [[nodiscard]] bool isSame(const Suspect& one, const What& what) const;
   [[nodiscard]] std::optional<std::size_t> rowOf(const What& what) const;
+  [[nodiscard]] std::size_t rowFrom(int by) const;
+  void keepPlace();
 
   [[nodiscard]] bool isSearching() const;
   void step(int by);
@@ -109,6 +112,11 @@ private:
   Listed listed_ = Listed::all; // of the plant
   std::vector<bool> isIn_;      // by id, what is listed of it; nodes that are newer are
   std::optional<What> current_;
+  struct Place {
+    std::size_t row;
+    double gain;
+  };
+  std::optional<Place> place_; // in the list, of what was current last
   bool isRefreshing_ = false;
   bool isAwaited_ = false; // one has asked for one before there were any
   int awaitedStep_ = 0;    // where to then: as of step(); 0: one only waits for the result

@@ -120,6 +120,51 @@ TEST_F(FindingsWindowTest, KeysGoFromFindingToFindingAndFlyThere) {
   EXPECT_EQ(document().undoStack().count(), 2) << "to look is no edit";
 }
 
+TEST_F(FindingsWindowTest, TheKeyGoesOnFromWhereOneWasMended) {
+  openFork();
+  for (const int number : {0, 1, 2})
+    setRadiusOf(shoot(number), 0.2);
+  key(Qt::Key_F4);
+  const std::vector<NodeId> passedOver = chosen();
+  key(Qt::Key_F4);
+  const std::vector<NodeId> mended = chosen();
+  ASSERT_EQ(mended.size(), 1U);
+  setRadiusOf(mended[0], 0.01);
+  ASSERT_TRUE(waitForTitle("2 places may be wrong"));
+  key(Qt::Key_F4);
+  ASSERT_EQ(chosen().size(), 1U);
+  EXPECT_NE(chosen(), passedOver);
+  EXPECT_NE(chosen(), mended);
+  key(Qt::Key_F4);
+  EXPECT_EQ(chosen(), passedOver) << "after the last comes the first";
+  setRadiusOf(passedOver[0], 0.01);
+  ASSERT_TRUE(waitForTitle("1 place may be wrong"));
+  key(Qt::Key_F4, Qt::ShiftModifier);
+  EXPECT_NE(chosen(), passedOver) << "before the first comes the last";
+}
+
+// Removing a root leaves nothing of an edge below the plant, until the checks have seen that.
+TEST_F(FindingsWindowTest, WhatWasJustMendedStaysInItsPlaceInTheList) {
+  openForkAndScan();
+  document().edit("Foot", [&](SkeletonEditor& editor) {
+    const NodeId foot = editor.add({.position = {0, 0, -1}, .radius = 0.1});
+    editor.reparent(nodeAt({0, 0, 0}), foot, EdgeType::successor);
+  });
+  key(Qt::Key_F8);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !countOf("Edges off the scan").isEmpty(); }, 20'000));
+  const NodeId foot = nodeAt({0, 0, -1});
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        key(Qt::Key_F4);
+        return chosen() == std::vector{foot};
+      },
+      20'000));
+  ASSERT_LT(list().currentIndex().row() + 1, list().model()->rowCount());
+  key(Qt::Key_Delete);
+  EXPECT_FALSE(document().skeleton().contains(foot));
+  EXPECT_LT(list().currentIndex().row() + 1, list().model()->rowCount()) << "not at its end";
+}
+
 // With a slab or box that shows other parts of the plant, one would fly to an empty view.
 TEST_F(FindingsWindowTest, TheKeyTakesSlabAndBoxAlong) {
   openFork();

@@ -1,6 +1,7 @@
 #include "core/skeleton/tree_edits.h"
 
 #include "core/base/shown_message.h"
+#include "core/skeleton/axes.h"
 #include "core/skeleton/edits.h"
 #include "core/skeleton/keep_units.h"
 #include "core/skeleton/select.h"
@@ -51,6 +52,16 @@ NodeId nearestOf(const Skeleton& skeleton, const std::vector<NodeId>& others, No
   return nearest;
 }
 
+/// Where an axis leads from a node, along some length [L]; zero where it ends there.
+Eigen::Vector3d courseFrom(const Skeleton& skeleton, NodeId id, double length) {
+  const Eigen::Vector3d& place = skeleton[id].position;
+  Eigen::Vector3d course = Eigen::Vector3d::Zero();
+  for (auto at = nextOnAxis(skeleton, id); at && course.norm() < length;
+       at = nextOnAxis(skeleton, *at))
+    course = skeleton[*at].position - place;
+  return course;
+}
+
 void requireNeighbors(const Skeleton& skeleton, const std::vector<NodeId>& tops) {
   for (const NodeId id : tops) {
     const std::optional<NodeId>& parent = skeleton[id].parent;
@@ -84,13 +95,29 @@ void cutOff(SkeletonEditor& editor, NodeId id) {
   attachInItsUnits(editor, id, std::nullopt);
 }
 
-std::optional<NodeId> nearestNewParent(const Skeleton& skeleton, const std::vector<NodeId>& nodes) {
+std::optional<NodeId> likelyNewParent(const Skeleton& skeleton, const std::vector<NodeId>& nodes) {
   std::vector<NodeId> outside = inverted(skeleton, downstream(skeleton, nodes));
   std::erase_if(outside, [&](NodeId other) {
     return std::ranges::any_of(nodes, [&](NodeId id) { return skeleton[id].parent == other; });
   });
-  if (outside.empty()) return std::nullopt;
-  return nearestOf(skeleton, outside, nodes.front());
+  const Eigen::Vector3d& place = skeleton[nodes.front()].position;
+  std::optional<NodeId> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const NodeId other : outside) {
+    const Eigen::Vector3d edge = place - skeleton[other].position;
+    const double length = edge.norm();
+    const double near =
+        std::max(length - skeleton[other].radius, 0.25 * length); // also within wood
+    if (near >= least) continue;
+    const Eigen::Vector3d course = courseFrom(skeleton, nodes.front(), 2 * length);
+    const double most = length * course.norm();
+    const double cosine = most > 0 ? edge.dot(course) / most : 1;
+    const double cost = near * (1 + 2 * (1 - cosine));
+    if (cost >= least) continue;
+    least = cost;
+    best = other;
+  }
+  return best;
 }
 
 void joinTree(SkeletonEditor& editor, NodeId id, NodeId onto) {

@@ -26,11 +26,17 @@ void cutOff(SkeletonEditor& editor, NodeId id);
 /// @throws Error if both belong to one tree
 void joinTree(SkeletonEditor& editor, NodeId id, NodeId onto);
 
-/// The node nearest to the first of `nodes` to which all of them could be attached anew: none of
-/// them carries it or is attached to it. None: there is none. Time O(nodes). pre: `nodes` is not
-/// empty
-[[nodiscard]] std::optional<NodeId> nearestNewParent(const Skeleton& skeleton,
-                                                     const std::vector<NodeId>& nodes);
+/// The node that the wood above the first of `nodes` most likely grows from, of those to which all
+/// of `nodes` could be attached anew: none of them carries it or is attached to it. None: there is
+/// none.
+///
+/// It is near that wood, by the distance from its surface, and the wood does not turn away from
+/// the edge between: a turn by 90 degrees counts as three times the distance. Of branches attached
+/// to wrong wood it is right in .99 (the nearest node in .97) on 24 simulated plants, and in .92
+/// and .69 (.70 and .57) on two plants that experts drew.
+/// Time O(nodes). pre: `nodes` is not empty
+[[nodiscard]] std::optional<NodeId> likelyNewParent(const Skeleton& skeleton,
+                                                    const std::vector<NodeId>& nodes);
 
 /// The node of another tree that is nearest to `id`. Time O(nodes).
 /// @throws Error if there is no other tree

@@ -104,7 +104,7 @@ bool ReparentNodeTool::release(const ToolInput& input) {
 
 void ReparentNodeTool::take(const std::vector<NodeId>& nodes) {
   moving_ = nodes;
-  nearest_ = nearestNewParent(document().skeleton(), nodes);
+  likely_ = likelyNewParent(document().skeleton(), nodes);
   document().selection().set(nodes);
   followSelection(); // also if they were selected
 }
@@ -129,7 +129,7 @@ std::optional<Pick> ReparentNodeTool::aim() const {
   const std::vector<NodeId>& selected = document().selection().nodes();
   const bool isStepped = selected.size() == 1 && !isMoving({.node = selected.front()});
   const std::optional<NodeId> to = isStepped             ? std::optional(selected.front())
-                                   : selected == moving_ ? nearest_
+                                   : selected == moving_ ? likely_
                                                          : std::nullopt;
   const Pick pick{.node = to};
   return isTarget(pick) ? std::optional(pick) : std::nullopt;

@@ -10,7 +10,7 @@ namespace espalier {
 /// and then its parent. A place on an edge is a parent too: it gets a node of its own.
 ///
 /// Enter attaches them to what is shown: what the pointer is on or, where keys were used last, the
-/// node that they have stepped to; before any step the nearest that may bear them.
+/// node that they have stepped to; before any step the one they most likely grow from.
 ///
 /// Started from nodes by a key it ends when that is done; chosen as a tool it goes on with the next
 /// node. A refusal lets one try again.
@@ -46,7 +46,7 @@ private:
   void end();
 
   std::vector<NodeId> moving_;
-  std::optional<NodeId> nearest_;
+  std::optional<NodeId> likely_; // parent: the first that is proposed
   QPointF pointer_;
   bool isByKeys_ = false; // since the pointer moved
   bool endsWhenDone_ = false;

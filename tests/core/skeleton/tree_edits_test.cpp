@@ -270,13 +270,31 @@ TEST(MergeNodes, LetsTheUnitOfAMergedNodeStartAboveIt) {
   EXPECT_EQ(plant[NodeId{3}].entities, (std::vector{unit(2), own}));
 }
 
-TEST(NearestNewParent, IsNeitherCarriedNorTheOneBefore) {
+TEST(LikelyNewParent, IsNeitherCarriedNorTheOneBefore) {
   Skeleton plant = test::stick(4); // upward along one line
   const NodeId aside = plant.add({.position = {3, 0, 0}, .parent = NodeId{0}});
-  EXPECT_EQ(nearestNewParent(plant, {NodeId{2}}), NodeId{0}) << "1 bears it, it carries 3";
-  EXPECT_EQ(nearestNewParent(plant, {NodeId{1}}), aside);
-  EXPECT_EQ(nearestNewParent(plant, {NodeId{0}}), std::nullopt) << "it carries all";
-  EXPECT_EQ(nearestNewParent(plant, {aside, NodeId{3}}), NodeId{1}) << "of those for both";
+  EXPECT_EQ(likelyNewParent(plant, {NodeId{2}}), NodeId{0}) << "1 bears it, it carries 3";
+  EXPECT_EQ(likelyNewParent(plant, {NodeId{1}}), aside);
+  EXPECT_EQ(likelyNewParent(plant, {NodeId{0}}), std::nullopt) << "it carries all";
+  EXPECT_EQ(likelyNewParent(plant, {aside, NodeId{3}}), NodeId{1}) << "of those for both";
+}
+
+TEST(LikelyNewParent, LetsTheWoodGoOnWithoutASharpTurn) {
+  Skeleton plant = test::stick(2);
+  const NodeId foot = plant.add({.position = {1, 0, 1}, .parent = NodeId{0}});
+  plant.add({.position = {2, 0, 1}, .parent = foot, .edge = EdgeType::successor});
+  plant.add({.position = {1.4, 0, 1.1}, .parent = NodeId{0}}); // nearer, but behind it
+  EXPECT_EQ(likelyNewParent(plant, {foot}), NodeId{1});
+}
+
+TEST(LikelyNewParent, MeasuresFromTheSurfaceOfThickWood) {
+  Skeleton plant = test::stick(1);
+  const NodeId foot = plant.add({.position = {1, 0, 0}, .parent = NodeId{0}});
+  const NodeId thin = plant.add({.position = {1, 0.6, 0}, .radius = 0.01, .parent = NodeId{0}});
+  const NodeId thick = plant.add({.position = {1, -0.8, 0}, .radius = 0.5, .parent = NodeId{0}});
+  EXPECT_EQ(likelyNewParent(plant, {foot}), thick);
+  plant.setRadius(thick, 0.01);
+  EXPECT_EQ(likelyNewParent(plant, {foot}), thin);
 }
 
 } // namespace

@@ -8,31 +8,45 @@ namespace espalier {
 
 PointsExpected::PointsExpected(const Skeleton& skeleton, const PointDistances& distances,
                                double reach)
-    : perLength_(skeleton.idEnd(), 0) {
+    : place_(skeleton.idEnd()) {
   std::vector<double> points(skeleton.idEnd(), 0); // by id
   for (std::size_t i = 0; i < distances.toSurface().size(); ++i)
     if (distances.toSurface()[i] <= reach) points[indexOf(distances.nearest()[i])] += 1;
-  std::vector<NodeId> edges = skeleton.ids();
-  std::erase_if(edges, [&](NodeId id) { return !skeleton[id].parent; });
-  std::ranges::stable_sort(edges, {}, [&](NodeId id) { return skeleton[id].radius; });
-  std::vector<double> lengthTo = {0}; // of all edges before
-  std::vector<double> pointsTo = {0};
+  std::vector<NodeId> nodes = skeleton.ids();
+  std::erase_if(nodes, [&](NodeId id) { return !skeleton[id].parent; });
+  std::ranges::stable_sort(nodes, {}, [&](NodeId id) { return skeleton[id].radius; });
+  for (const NodeId id : nodes) {
+    place_[indexOf(id)] = edges_.size();
+    edges_.push_back({id, edgeLength(skeleton, id), points[indexOf(id)]});
+    length_ += edges_.back().length;
+  }
+}
+
+double PointsExpected::perLength(const std::vector<NodeId>& edges) const {
+  std::vector<bool> isLeftOut(edges_.size(), false);
+  double length = length_;
+  std::size_t thickest = 0;
   for (const NodeId id : edges) {
-    lengthTo.push_back(lengthTo.back() + edgeLength(skeleton, id));
-    pointsTo.push_back(pointsTo.back() + points[indexOf(id)]);
+    const std::size_t place = place_[indexOf(id)];
+    isLeftOut[place] = true;
+    length -= edges_[place].length;
+    thickest = std::max(thickest, place);
   }
-  const double half = lengthTo.back() / 8;
-  std::size_t first = 0;
-  std::size_t end = 0;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const double middle = (lengthTo[i] + lengthTo[i + 1]) / 2;
-    while (lengthTo[first + 1] < middle - half)
-      ++first;
-    while (end < edges.size() && lengthTo[end] < middle + half)
-      ++end;
-    const double length = lengthTo[end] - lengthTo[first];
-    if (length > 0) perLength_[indexOf(edges[i])] = (pointsTo[end] - pointsTo[first]) / length;
-  }
+  double seen = 0;   // [L]
+  double points = 0; // along that
+  const auto look = [&](std::size_t first, std::ptrdiff_t step) {
+    double side = 0;
+    for (std::size_t i = first; i < edges_.size() && side < length / 8;
+         i += static_cast<std::size_t>(step)) { // below 0 wraps, too
+      if (isLeftOut[i]) continue;
+      side += edges_[i].length;
+      points += edges_[i].points;
+    }
+    seen += side;
+  };
+  look(thickest - 1, -1);
+  look(thickest + 1, 1);
+  return seen > 0 ? points / seen : 0;
 }
 
 } // namespace espalier

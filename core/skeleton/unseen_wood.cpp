@@ -14,10 +14,7 @@ UnseenWood::UnseenWood(const Skeleton& skeleton, const PointDistances& distances
       expected_(skeleton, distances, options.ownReach * spacing) {}
 
 bool UnseenWood::mayBeHidden(const Finding& finding) const {
-  double perLength = 0;
-  for (const NodeId id : nodesOf(finding))
-    perLength = std::max(perLength, expected_.perLength(id));
-  if (finding.amount * perLength < options_.fewestExpected) return true;
+  if (finding.amount * expected_.perLength(nodesOf(finding)) < options_.fewestExpected) return true;
   return finding.kind == Finding::Kind::edgesWithoutPoints && goesOn(finding);
 }
 

@@ -16,19 +16,19 @@ using Kind = Finding::Kind;
 double chanceOfError(Kind kind) {
   switch (kind) {
   case Kind::sharpTurn:
-    return 0.42; // of 1 286
+    return 0.44; // of 735
   case Kind::crossing:
-    return 0.34; // of 130
+    return 0.14; // of 57
   case Kind::loop:
-    return 0.29; // of 47
+    return 0.57; // of 37
   case Kind::edgesWithoutPoints:
-    return 0.98; // of 194
+    return 0.93; // of 170
   case Kind::noOwnPoints:
-    return 0.44; // of 560
+    return 0.38; // of 530
   case Kind::besidePoints:
-    return 0.74; // of 427
+    return 0.73; // of 644
   case Kind::unexplainedPoints:
-    return 0.16; // of 6 300
+    return 0.18; // of 6 144
   case Kind::separatePiece:
   case Kind::twoSuccessors:
   case Kind::loneBranch:

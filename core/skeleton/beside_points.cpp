@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <ranges>
 
 namespace espalier {
 namespace {
@@ -70,6 +71,47 @@ private:
   double width_; // [L]: points this far from the surface count half
 };
 
+/// A part of an axis, by how far it has come along the line between its ends. What lies beside
+/// points is no longer nearest to them: they are compared with what is as far along.
+class Course {
+public:
+  Course(const Skeleton& skeleton, const std::vector<NodeId>& run, const Eigen::Vector3d& along)
+      : along_(along) {
+    for (std::size_t i = 1; i < run.size(); ++i) {
+      bodies_.push_back(*frustumOf(skeleton, run[i]));
+      const double height = heightOf(bodies_.back().to);
+      highest_.push_back(highest_.empty() ? height : std::max(height, highest_.back()));
+    }
+    for (auto body = bodies_.rbegin(); body != bodies_.rend(); ++body) {
+      const double height = heightOf(body->from);
+      lowest_.push_back(lowest_.empty() ? height : std::min(height, lowest_.back()));
+    }
+    std::ranges::reverse(lowest_);
+  }
+
+  /// How far along a place is [L].
+  [[nodiscard]] double heightOf(const Eigen::Vector3d& place) const { return place.dot(along_); }
+
+  /// Beside what is as far along. None: that is beyond the ends, or the axis leads back and comes
+  /// as far more than once.
+  [[nodiscard]] std::optional<Aside> asideOf(const Eigen::Vector3d& place) const {
+    const double height = heightOf(place);
+    const auto first = std::ranges::lower_bound(highest_, height) - highest_.begin();
+    const auto last = std::ranges::lower_bound(lowest_, height) - lowest_.begin() - 1;
+    if (first != last || first < 0 || first == std::ssize(bodies_)) return std::nullopt;
+    const Frustum& body = bodies_[static_cast<std::size_t>(first)];
+    const double from = heightOf(body.from);
+    const double share = (height - from) / (heightOf(body.to) - from);
+    return Aside{place - body.at(share), body.radiusAt(share)};
+  }
+
+private:
+  std::vector<Frustum> bodies_;
+  Eigen::Vector3d along_;
+  std::vector<double> highest_; // that each body and those before lead to [L]
+  std::vector<double> lowest_;  // that each body and those behind begin at [L]
+};
+
 class Beside {
 public:
   Beside(const Skeleton& skeleton, const PointDistances& distances, double spacing,
@@ -85,27 +127,24 @@ public:
   [[nodiscard]] std::optional<double> at(NodeId id) const {
     const double radius = skeleton_[id].radius;
     const double least = std::max(options_.besideUnits * exactness_, options_.besideRadii * radius);
-    const std::vector<NodeId> edges = around(id, std::max(4 * spacing_, radius));
+    const double reach = std::max(4 * spacing_, radius);
+    const std::vector<NodeId> run = around(id, 3 * reach); // so far it may lead aside and back
+    const Eigen::Vector3d along = skeleton_[run.back()].position - skeleton_[run.front()].position;
+    if (along.isZero(0)) return std::nullopt;
+    const Course course(skeleton_, run, along.normalized());
+    const double height = course.heightOf(skeleton_[id].position);
     std::vector<Aside> points;
     const double farthest = 3 * std::max(radius, 4 * spacing_);
-    Eigen::Vector3d along = Eigen::Vector3d::Zero();
-    for (const NodeId edge : edges) {
-      const Frustum body = *frustumOf(skeleton_, edge);
-      if (body.length() == 0) continue;
-      const Eigen::Vector3d direction = (body.to - body.from) / body.length();
-      along += body.to - body.from;
+    for (const NodeId edge : run | std::views::drop(1))
       for (const Eigen::Index point : pointsOf_[indexOf(edge)]) {
         const Eigen::Vector3d place = distances_.cloud()->position(point);
-        const double share = body.nearestShare(place);
-        Eigen::Vector3d offset = place - body.at(share);
-        if (std::abs(offset.dot(direction)) > 0.7 * offset.norm()) continue; // beyond an end
-        if (offset.norm() > body.radiusAt(share) + farthest) continue;       // other wood
-        offset -= offset.dot(direction) * direction;
-        points.push_back({offset, body.radiusAt(share)});
+        if (std::abs(course.heightOf(place) - height) > reach) continue;
+        const std::optional<Aside> aside = course.asideOf(place);
+        if (!aside || aside->offset.norm() > aside->radius + farthest) continue; // other wood
+        points.push_back(*aside);
       }
-    }
     constexpr std::size_t fewest = 6; // that say where the wood is
-    if (points.size() < fewest || along.isZero(0)) return std::nullopt;
+    if (points.size() < fewest) return std::nullopt;
     const Fit fit(std::move(points), along.normalized(), least);
     const Eigen::Vector3d shift = fit.shift();
     if (shift.norm() <= least) return std::nullopt;
@@ -114,22 +153,25 @@ public:
   }
 
 private:
-  /// The edges of an axis within `reach` [L] of a node along it, up and down.
+  /// The nodes of an axis up to `reach` [L] from one of them and the next ones, upward.
   [[nodiscard]] std::vector<NodeId> around(NodeId id, double reach) const {
-    std::vector<NodeId> edges;
+    std::vector<NodeId> run = {id};
     double length = 0;
-    for (std::optional<NodeId> at = id; at && skeleton_[*at].parent && length < reach;
+    for (auto at = previousOnAxis(skeleton_, id); at && length < reach;
          at = previousOnAxis(skeleton_, *at)) {
-      edges.push_back(*at);
-      length += edgeLength(skeleton_, *at);
+      length += edgeLength(skeleton_, run.back());
+      run.push_back(*at);
     }
+    if (length < reach && skeleton_[run.back()].parent)
+      run.push_back(*skeleton_[run.back()].parent);
+    std::ranges::reverse(run);
     length = 0;
     for (auto at = nextOnAxis(skeleton_, id); at && length < reach;
          at = nextOnAxis(skeleton_, *at)) {
-      edges.push_back(*at);
+      run.push_back(*at);
       length += edgeLength(skeleton_, *at);
     }
-    return edges;
+    return run;
   }
 
   const Skeleton& skeleton_;

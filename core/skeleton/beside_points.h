@@ -11,10 +11,11 @@ namespace espalier {
 
 /// Where an axis lies beside its points: the wood would fit them better if it were moved aside.
 ///
-/// Around each node, the points nearest to the edges along some spacings or diameters of the axis
-/// say by how much, with the radius as it is. A place is reported if that is more than
-/// `besideUnits` times `exactness` and `besideRadii` radii, and if the points are then less than
-/// half as far from its surface. Nodes in a row are one finding.
+/// Around each node, the points along some spacings or diameters of the axis say by how much, with
+/// the radius as it is: those nearest to its edges there and some beyond, as points lie beside what
+/// is as far along, but are nearest to where the axis comes back to them. A place is reported if
+/// that is more than `besideUnits` times `exactness` and `besideRadii` radii, and if the points are
+/// then less than half as far from its surface. Nodes in a row are one finding.
 /// @param spacing   between neighboring points [L]
 /// @param exactness of the skeleton (core/skeleton/checks_of_scan.h) [L]
 /// @return parents before their children; `amount` is the farthest that any is to be moved [L]

@@ -1,3 +1,5 @@
+#include "core/base/random.h"
+#include "core/skeleton/beside_points.h"
 #include "core/skeleton/checks_of_scan.h"
 #include "core/skeleton/select.h"
 #include "tests/support/cloud_of.h"
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
+#include <numbers>
 
 namespace espalier {
 namespace {
@@ -191,6 +194,17 @@ TEST(Exactness, IsTheSpacingOrHowFarPointsAreOffTheWood) {
   EXPECT_NEAR(of(0.01), 0.04, 1e-9) << "at most twice as much: else nothing were missing";
 }
 
+// How many points there would be is known by the other wood, however little that is.
+TEST(EdgesWithoutPoints, AreFoundWhereTheyAreLongerThanAllElse) {
+  Skeleton plant = test::stick(9, 0.25);
+  const NodeId far = plant.add({.position = {0.5, 0, -9}, .radius = 0.1});
+  plant.reparent(NodeId{0}, far, EdgeType::successor);
+  const std::vector<Finding> found = allOf(trunkCloud(), plant);
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_EQ(found[0].kind, Kind::edgesWithoutPoints);
+  EXPECT_EQ(found[0].node, NodeId{0});
+}
+
 TEST(BesidePoints, IsAStemThatWasMovedAside) {
   const auto cloud = test::cloudAtOrigin(trunkPoints);
   const auto moved = [](double shift) {
@@ -206,6 +220,37 @@ TEST(BesidePoints, IsAStemThatWasMovedAside) {
   EXPECT_EQ(found[0].kind, Kind::besidePoints);
   EXPECT_THAT(nodesOf(found[0]), testing::IsSupersetOf({NodeId{3}, NodeId{4}, NodeId{5}}));
   EXPECT_NEAR(found[0].amount, 0.12, 0.01);
+}
+
+// The points of the top of the bow are nearer to its flanks than to its top.
+TEST(BesidePoints, IsAThinTwigThatBowsAsideAndBackOnAShortWay) {
+  Random random(3);
+  Eigen::Matrix3Xf points(3, 61); // one per spacing
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    points.col(i) = (Eigen::Vector3d(0, 0, double(i)) + 0.3 * random.direction()).cast<float>();
+  const auto cloud = test::cloudAtOrigin(points);
+  const auto bowed = [](double height) {
+    Skeleton plant = test::stick(61, 1);
+    constexpr double half = 8;
+    for (const NodeId id : plant.ids()) {
+      Eigen::Vector3d place = plant[id].position;
+      const double from = std::abs(place.z() - 30) / half;
+      if (from < 1) place.x() = height * (0.5 + 0.5 * std::cos(std::numbers::pi * from));
+      plant.setPosition(id, place);
+      plant.setRadius(id, 0.3);
+    }
+    return plant;
+  };
+  const auto beside = [&](double height) {
+    const Skeleton plant = bowed(height);
+    return axesBesidePoints(plant, PointDistances(cloud, 1, plant), 1, 1, {});
+  };
+  EXPECT_THAT(beside(0), IsEmpty());
+  EXPECT_THAT(beside(2), IsEmpty()) << "under 2.5 spacings";
+  const std::vector<Finding> found = beside(5);
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_THAT(nodesOf(found[0]), testing::Contains(NodeId{30}));
+  EXPECT_NEAR(found[0].amount, 4, 1);
 }
 
 // Half of the trunk has points: how far it is to be moved is known across them all the same.

@@ -52,6 +52,13 @@ NodeId nearestOf(const Skeleton& skeleton, const std::vector<NodeId>& others, No
   return nearest;
 }
 
+/// From the parent to the node [L]; zero of a root.
+Eigen::Vector3d edgeTo(const Skeleton& skeleton, NodeId id) {
+  const auto parent = skeleton[id].parent;
+  if (!parent) return Eigen::Vector3d::Zero();
+  return skeleton[id].position - skeleton[*parent].position;
+}
+
 /// Where an axis leads from a node, along some length [L]; zero where it ends there.
 Eigen::Vector3d courseFrom(const Skeleton& skeleton, NodeId id, double length) {
   const Eigen::Vector3d& place = skeleton[id].position;
@@ -112,7 +119,10 @@ std::optional<NodeId> likelyNewParent(const Skeleton& skeleton, const std::vecto
     const Eigen::Vector3d course = courseFrom(skeleton, nodes.front(), 2 * length);
     const double most = length * course.norm();
     const double cosine = most > 0 ? edge.dot(course) / most : 1;
-    const double cost = near * (1 + 2 * (1 - cosine));
+    const Eigen::Vector3d below = edgeTo(skeleton, other);
+    const double both = below.norm() * length;
+    const double back = both > 0 ? std::max(0.0, -below.dot(edge) / both) : 0;
+    const double cost = near * (1 + 2 * (1 - cosine) + 2 * back);
     if (cost >= least) continue;
     least = cost;
     best = other;

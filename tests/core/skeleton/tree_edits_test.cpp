@@ -287,6 +287,16 @@ TEST(LikelyNewParent, LetsTheWoodGoOnWithoutASharpTurn) {
   EXPECT_EQ(likelyNewParent(plant, {foot}), NodeId{1});
 }
 
+TEST(LikelyNewParent, LetsTheEdgeNotTurnBackAlongWhatBearsIt) {
+  Skeleton plant = test::stick(2); // upward
+  const NodeId above = plant.add({.position = {0, 0, 2}, .parent = NodeId{1}});
+  const NodeId far = plant.add({.position = {9, 0, 0}, .parent = NodeId{0}});
+  const NodeId foot = plant.add({.position = {0.5, 0, 1.65}, .parent = far});
+  plant.add({.position = {1.5, 0, 1.7}, .parent = foot, .edge = EdgeType::successor});
+  ASSERT_LT((plant[above].position - plant[foot].position).norm(), 0.75);
+  EXPECT_EQ(likelyNewParent(plant, {foot}), NodeId{1}) << "from above it would lead down again";
+}
+
 TEST(LikelyNewParent, MeasuresFromTheSurfaceOfThickWood) {
   Skeleton plant = test::stick(1);
   const NodeId foot = plant.add({.position = {1, 0, 0}, .parent = NodeId{0}});

@@ -81,9 +81,10 @@ QString whereItDiffers(const ReportParts& parts) {
   double whole = 0;
   for (const PartAgreement& part : byPlace.byOrder)
     whole += part.referenceLength;
-  std::vector<PartAgreement> large; // the trunk, and no order of single twigs
+  std::vector<PartAgreement> large; // the trunk, and no order of single twigs, or that one lacks
   for (const PartAgreement& part : byPlace.byOrder)
-    if (part.from == 0 || part.referenceLength >= 0.03 * whole) large.push_back(part);
+    if (part.resultLength > 0 && (part.from == 0 || part.referenceLength >= 0.03 * whole))
+      large.push_back(part);
   if (large.size() < 2) return {};
   const auto [worst, best] = std::ranges::minmax_element(large, {}, f);
   if (f(*best) - f(*worst) < 0.01) return {};

@@ -42,6 +42,18 @@ TEST(ComparisonReport, SaysInWordsWhatIsFoundAndWhatIsMissed) {
   EXPECT_TRUE(text.contains("nothing is attached to the wrong wood")) << qPrintable(text);
 }
 
+TEST(ComparisonReport, SaysInWhichOrderItAgreesBestOfThoseThatBothHave) {
+  Skeleton shorter = branched();
+  for (const NodeId id : std::vector<NodeId>{NodeId{30}, NodeId{29}, NodeId{28}, NodeId{27}})
+    shorter.erase(id);
+  const QString both = textOf(sectionOf(
+      comparisonReport(reported(shorter, branched(), near), {}, aboutPlants()), "Summary"));
+  EXPECT_TRUE(both.contains("it agrees best in order 0 (F 1.000) and least in order 1"))
+      << qPrintable(both);
+  const QString trunk = textOf(sectionOf(reportOfTrunk(), "Summary"));
+  EXPECT_FALSE(trunk.contains("agrees best")) << qPrintable(trunk);
+}
+
 TEST(ComparisonReport, HoldsTheNumbersOfTheJson) {
   const ReportData data = reported(test::stick(21, 0.1), branched(), near);
   const Report report = comparisonReport(data, {}, aboutPlants());

@@ -1,6 +1,7 @@
 #include "core/project/corrections.h"
 
 #include <algorithm>
+#include <set>
 #include <unordered_map>
 
 namespace espalier {
@@ -16,13 +17,21 @@ std::size_t countRemoved(const SkeletonDelta& delta) {
       delta.changes, [](const SkeletonDelta::Change& change) { return !change.after; }));
 }
 
-/// The place behind the last step that made the whole plant anew. 0: none did.
-std::size_t firstCorrection(std::span<const HistoryStep> done, std::size_t size) {
-  for (std::size_t i = done.size(); i-- > 0;) {
-    if (madePlantAnew(done[i], size)) return i + 1;
-    size = size + countRemoved(done[i].delta) - countAdded(done[i].delta);
+using StepAt = std::function<const HistoryStep&(std::size_t)>;
+
+/// The place behind the last of some steps that made the whole plant anew. 0: none did.
+std::size_t firstCorrection(const StepAt& stepAt, std::size_t count, std::size_t size) {
+  for (std::size_t i = count; i-- > 0;) {
+    const HistoryStep& step = stepAt(i);
+    if (madePlantAnew(step, size)) return i + 1;
+    size = size + countRemoved(step.delta) - countAdded(step.delta);
   }
   return 0;
+}
+
+std::size_t firstCorrection(std::span<const HistoryStep> done, std::size_t size) {
+  return firstCorrection([done](std::size_t i) -> const HistoryStep& { return done[i]; },
+                         done.size(), size);
 }
 
 /// What an edit did to nodes, by id.
@@ -48,6 +57,42 @@ bool isReparented(const SkeletonDelta::Change& change, const Changes& changes) {
   if (change.before->parent == change.after->parent) return false;
   return keptAbove(change.before->parent, &Change::before, changes) !=
          keptAbove(change.after->parent, &Change::after, changes);
+}
+
+Changes changesOf(const SkeletonDelta& delta) {
+  Changes changes;
+  for (const SkeletonDelta::Change& change : delta.changes)
+    changes.emplace(change.id, &change);
+  return changes;
+}
+
+/// The nodes that a step drew, where they are one branch. Those that it put into an edge are none
+/// of it: they have a child that was there before.
+std::vector<NodeId> drawnBy(const SkeletonDelta& delta) {
+  if (countRemoved(delta) > 0) return {};
+  std::set<NodeId> drawn;
+  for (const SkeletonDelta::Change& change : delta.changes)
+    if (!change.before) drawn.insert(change.id);
+  for (const SkeletonDelta::Change& change : delta.changes)
+    if (change.before && change.after->parent) drawn.erase(*change.after->parent);
+  const auto isFoot = [&](const SkeletonDelta::Change& change) {
+    return drawn.contains(change.id) &&
+           !(change.after->parent && drawn.contains(*change.after->parent));
+  };
+  if (std::ranges::count_if(delta.changes, isFoot) != 1) return {};
+  return {drawn.begin(), drawn.end()};
+}
+
+/// The only node that a step attached elsewhere.
+std::optional<NodeId> attachedBy(const SkeletonDelta& delta) {
+  const Changes changes = changesOf(delta);
+  std::optional<NodeId> attached;
+  for (const SkeletonDelta::Change& change : delta.changes) {
+    if (!change.before || !change.after || !isReparented(change, changes)) continue;
+    if (attached) return std::nullopt;
+    attached = change.id;
+  }
+  return attached;
 }
 
 void count(const SkeletonDelta::Change& change, const Changes& changes, Corrections& to) {
@@ -78,15 +123,26 @@ PlantBeginning beginningOfHandWork(const History& history) {
   return {.skeleton = skeletonAt(history, first), .isReconstructed = first > 0};
 }
 
+MadeByHand madeByHand(const StepAt& stepAt, std::size_t count, const Skeleton& skeleton) {
+  MadeByHand made{.isDrawn = std::vector<bool>(skeleton.idEnd(), false),
+                  .isAttached = std::vector<bool>(skeleton.idEnd(), false)};
+  for (std::size_t i = firstCorrection(stepAt, count, skeleton.size()); i < count; ++i) {
+    const SkeletonDelta& delta = stepAt(i).delta;
+    for (const NodeId id : drawnBy(delta))
+      if (skeleton.contains(id)) made.isDrawn[indexOf(id)] = true;
+    const std::optional<NodeId> attached = attachedBy(delta);
+    if (attached && skeleton.contains(*attached)) made.isAttached[indexOf(*attached)] = true;
+  }
+  return made;
+}
+
 HandWork handWork(std::span<const HistoryStep> done, const Skeleton& skeleton) {
   const std::size_t first = firstCorrection(done, skeleton.size());
   HandWork work;
   Corrections& sum = work.corrections;
   for (std::size_t i = first; i < done.size(); ++i) {
     const Corrections before = sum;
-    Changes changes;
-    for (const SkeletonDelta::Change& change : done[i].delta.changes)
-      changes.emplace(change.id, &change);
+    const Changes changes = changesOf(done[i].delta);
     for (const SkeletonDelta::Change& change : done[i].delta.changes)
       count(change, changes, sum);
     if (sum != before) ++sum.edits;

@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <vector>
 
 namespace espalier {
 
@@ -43,6 +45,20 @@ inline constexpr std::int64_t longestPause = std::int64_t{5} * 60 * 1000;
 /// that made the whole plant anew (madePlantAnew), which itself is no correction. A clock that
 /// was set back between two steps adds nothing. O(all changes).
 [[nodiscard]] HandWork handWork(std::span<const HistoryStep> done, const Skeleton& skeleton);
+
+/// What edits by hand have decided of the nodes of the present skeleton, by id.
+struct MadeByHand {
+  /// Drawn as one branch, by a step that removed nothing; no node that such a branch, or another
+  /// edit, has put into an edge.
+  std::vector<bool> isDrawn;
+  std::vector<bool> isAttached; // elsewhere than before, alone of all by one step
+};
+
+/// Of the steps that are done, from the last one on that made the whole plant anew.
+/// @param stepAt gives the steps 0 to `count` - 1
+/// O(all changes)
+[[nodiscard]] MadeByHand madeByHand(const std::function<const HistoryStep&(std::size_t)>& stepAt,
+                                    std::size_t count, const Skeleton& skeleton);
 
 /// Where a plant came from, before it was corrected by hand.
 struct PlantBeginning {

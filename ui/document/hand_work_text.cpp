@@ -22,6 +22,14 @@ HandWork handWork(const PlantDocument& document) {
   return handWork(std::span(history.steps).first(history.position), history.skeleton);
 }
 
+MadeByHand madeByHand(const PlantDocument& document) {
+  const auto stepAt = [&](std::size_t i) -> const HistoryStep& {
+    return document.step(static_cast<int>(i));
+  };
+  return madeByHand(stepAt, static_cast<std::size_t>(document.undoStack().index()),
+                    document.skeleton());
+}
+
 QString formatWorkTime(std::int64_t milliseconds) {
   const std::int64_t minutes = milliseconds / 60'000;
   if (minutes < 1) return HandWorkText::tr("under a minute");

@@ -10,6 +10,7 @@ class PlantDocument;
 
 /// Of the steps that are done.
 [[nodiscard]] HandWork handWork(const PlantDocument& document);
+[[nodiscard]] MadeByHand madeByHand(const PlantDocument& document); // likewise
 
 /// "1 h 12 min", "12 min", "under a minute"
 [[nodiscard]] QString formatWorkTime(std::int64_t milliseconds);

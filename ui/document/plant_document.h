@@ -54,6 +54,7 @@ public:
   [[nodiscard]] Selection& selection() { return selection_; }
   [[nodiscard]] PointSelection& pointSelection() { return pointSelection_; }
   [[nodiscard]] QUndoStack& undoStack() { return undoStack_; }
+  [[nodiscard]] const QUndoStack& undoStack() const { return undoStack_; }
   [[nodiscard]] LengthUnit unit() const { return unit_; }
   /// The axis of the file that points up.
   [[nodiscard]] UpAxis up() const { return up_; }

@@ -6,6 +6,7 @@
 #include "core/doubt/find_doubts.h"
 #include "core/graph/turn_upright.h"
 #include "ui/document/doubt_text.h"
+#include "ui/document/hand_work_text.h"
 #include "ui/document/plant_document.h"
 
 #include <algorithm>
@@ -21,6 +22,14 @@ bool isReviewed(const Doubt& doubt, const Skeleton& skeleton) {
   return std::ranges::any_of(doubt.nodes, [&](NodeId id) {
     return skeleton.contains(id) && skeleton[id].review.state == ReviewState::reviewed;
   });
+}
+
+/// Whether its wood was drawn by hand, or attached by hand where it is.
+bool isByHand(const Doubt& doubt, const MadeByHand& made) {
+  const auto isDrawn = [&](NodeId id) { return made.isDrawn[indexOf(id)]; };
+  if (doubt.kind == Doubt::Kind::missing) return false;
+  if (doubt.kind == Doubt::Kind::end) return std::ranges::any_of(doubt.nodes, isDrawn);
+  return isDrawn(doubt.node) || made.isAttached[indexOf(doubt.node)];
 }
 
 /// What an answer or a doubt is about, that is kept.
@@ -181,15 +190,16 @@ void DoubtsFlow::refresh() {
       });
 }
 
-/// What is still to be asked: neither answered, ignored nor reviewed. Wood that is doubtful, as
-/// what would bear a missing branch may be, is asked about.
+/// What is still to be asked: neither answered, ignored, reviewed nor decided by hand. Wood that is
+/// doubtful, as what would bear a missing branch may be, is asked about.
 void DoubtsFlow::list() {
   const double spacing = parts_.document.scale().spacing;
   const Skeleton& skeleton = parts_.document.skeleton();
+  if (!found_.empty()) byHand_ = madeByHand(parts_.document);
   std::vector<Doubt> left;
   std::vector<Doubt> ignored;
   for (const Doubt& doubt : found_) {
-    if (isReviewed(doubt, skeleton)) continue;
+    if (isReviewed(doubt, skeleton) || isByHand(doubt, byHand_)) continue;
     const auto answered = std::ranges::find_if(
         held_, [&](const AnsweredDoubt& one) { return isAbout(one, doubt, 4 * spacing); });
     if (answered == held_.end())
@@ -364,11 +374,19 @@ std::size_t DoubtsFlow::decideRest() {
 std::optional<ExpectedAgreement> DoubtsFlow::expected() const {
   const Skeleton& skeleton = parts_.document.skeleton();
   if (!ratings_ || ratings_->ofEdges.size() < skeleton.idEnd()) return std::nullopt;
-  return expectedAgreement(skeleton, *ratings_, doubts_);
+  return expectedAgreement(skeleton, ratingsNow(), doubts_);
+}
+
+/// What was drawn by hand counts as right.
+ErrorRatings DoubtsFlow::ratingsNow() const {
+  ErrorRatings ratings = *ratings_;
+  for (std::size_t i = 0; i < std::min(byHand_.isDrawn.size(), ratings.ofEdges.size()); ++i)
+    if (byHand_.isDrawn[i]) ratings.ofEdges[i] = 0;
+  return ratings;
 }
 
 std::size_t DoubtsFlow::answersFor(double share) const {
-  return espalier::answersFor(share, parts_.document.skeleton(), *ratings_, doubts_);
+  return espalier::answersFor(share, parts_.document.skeleton(), ratingsNow(), doubts_);
 }
 
 } // namespace espalier

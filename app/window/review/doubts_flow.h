@@ -4,6 +4,7 @@
 #include "app/window/frame/window_part.h"
 #include "app/window/review/answered_doubts.h"
 #include "core/doubt/expected_agreement.h"
+#include "core/project/corrections.h"
 #include "core/skeleton/check_options.h"
 #include "ui/jobs/job_slot.h"
 
@@ -102,6 +103,7 @@ private:
                               const std::function<void(SkeletonEditor&)>& change);
   [[nodiscard]] bool holds(const AnsweredDoubt& answered) const;
   void learnAnew();
+  [[nodiscard]] ErrorRatings ratingsNow() const; // pre: isKnown()
 
   Parts parts_;
   QTimer timer_;
@@ -110,6 +112,7 @@ private:
   std::vector<Doubt> doubts_;
   std::vector<Doubt> ignored_;
   std::optional<ErrorRatings> ratings_;
+  MadeByHand byHand_; // of the skeleton whose doubts were listed last
   LearnedOdds learned_;
   std::vector<AnsweredDoubt> answered_; // also those whose step is undone, which may be redone
   std::vector<AnsweredDoubt> held_;     // those that hold

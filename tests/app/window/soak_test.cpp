@@ -1,5 +1,6 @@
 // Work for hours: plants opened, reconstructed, edited, undone, saved, closed and opened again take
 // no further memory. ESPALIER_SOAK_MINUTES=120 runs it for long and prints what it takes.
+#include "app/window/frame/action_set.h"
 #include "tests/app/window/project_fixture.h"
 
 #include <QFile>

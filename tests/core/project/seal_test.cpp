@@ -81,6 +81,57 @@ TEST(Corrections, BeginAfterTheLastReconstruction) {
   EXPECT_EQ(work.done().time, 2 * minute) << "one looks at what was made before the first edit";
 }
 
+MadeByHand madeBy(const Work& work) {
+  const auto stepAt = [&](std::size_t i) -> const HistoryStep& { return work.history.steps[i]; };
+  return madeByHand(stepAt, work.history.position, work.history.skeleton);
+}
+
+TEST(MadeByHand, IsABranchThatWasDrawnAndNotTheNodeThatBearsIt) {
+  Work work;
+  NodeId middle{};
+  NodeId first{};
+  work.step(0, [&](SkeletonEditor& editor) {
+    middle = splitEdge(editor, NodeId{1}, 0.5);
+    first = addChild(editor, middle, {1, 1, 1});
+    addChild(editor, first, {2, 2, 1});
+  });
+  const MadeByHand made = madeBy(work);
+  EXPECT_EQ(std::ranges::count(made.isDrawn, true), 2);
+  EXPECT_TRUE(made.isDrawn[indexOf(first)]);
+  EXPECT_FALSE(made.isDrawn[indexOf(middle)]);
+  EXPECT_EQ(std::ranges::count(made.isAttached, true), 0);
+}
+
+TEST(MadeByHand, IsNeitherWhatTakesTheWoodOfBeforeAwayNorManyBranchesAtOnce) {
+  Work work;
+  work.step(0, [](SkeletonEditor& editor) { // as a part that is reconstructed anew
+    removeNode(editor, NodeId{4});
+    addChild(editor, NodeId{1}, {1, 1, 1});
+  });
+  work.step(0, [](SkeletonEditor& editor) { // as branches that are taken all at once
+    addChild(editor, NodeId{2}, {1, 1, 3});
+    addChild(editor, NodeId{3}, {1, 2, 3});
+  });
+  work.step(0, [](SkeletonEditor& editor) {
+    reparentNode(editor, NodeId{2}, NodeId{0});
+    reparentNode(editor, NodeId{3}, NodeId{0});
+  });
+  const MadeByHand made = madeBy(work);
+  EXPECT_EQ(std::ranges::count(made.isDrawn, true), 0);
+  EXPECT_EQ(std::ranges::count(made.isAttached, true), 0);
+}
+
+TEST(MadeByHand, IsWhatWasAttachedElsewhereSinceTheLastReconstruction) {
+  Work work;
+  const auto attach = [&] {
+    work.step(0, [](SkeletonEditor& editor) { reparentNode(editor, NodeId{2}, NodeId{0}); });
+  };
+  attach();
+  EXPECT_TRUE(madeBy(work).isAttached[2]);
+  work.step(0, [](SkeletonEditor& editor) { replaceSkeleton(editor, test::stick(9)); });
+  EXPECT_EQ(std::ranges::count(madeBy(work).isAttached, true), 0);
+}
+
 TEST(HandWork, LeavesOutLongPausesAndAClockThatWasSetBack) {
   Work work;
   double height = 1;

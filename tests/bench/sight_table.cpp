@@ -197,7 +197,7 @@ public:
     scene_.setPointValues(std::nullopt); // has the color bar of the height
     scene_.setNodeColors(std::nullopt);
     const QSize size(width, height);
-    const std::vector<QPointF> plant = plantOnScreen(scene_, ScreenMap(camera, {width, height}));
+    const OnScreen plant = plantOnScreen(scene_, ScreenMap(camera, {width, height}));
     overlay_.giveWay(scene_, plant, size, QFontMetricsF(QApplication::font()));
     map_.giveWay(plant, size, overlay_.corners());
     QImage over(size, QImage::Format_ARGB32_Premultiplied);

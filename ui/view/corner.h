@@ -17,9 +17,13 @@ enum class Corner { topRight, topLeft, bottomRight, bottomLeft };
 /// @param margin from the edges of the view
 [[nodiscard]] QRectF boxIn(Corner corner, const QSizeF& box, const QSizeF& view, double margin);
 
-/// Where some thousand places all over the plant are in a view of this size [logical pixels]; some
-/// may be beside it. O(points) if some are hidden.
-[[nodiscard]] std::vector<QPointF> plantOnScreen(const Scene& scene, const ScreenMap& screen);
+/// Where some thousand places are in a view [logical pixels]; some may be beside it.
+struct OnScreen {
+  std::vector<QPointF> plant;    // all over it
+  std::vector<QPointF> selected; // along nodes and edges, and points
+};
+/// In a view of this size. O(nodes), and O(points) if some are hidden or selected.
+[[nodiscard]] OnScreen plantOnScreen(const Scene& scene, const ScreenMap& screen);
 
 /// Something that lies over the plant in a corner.
 struct InCorner {
@@ -28,10 +32,10 @@ struct InCorner {
   Corner now;
 };
 
-/// The corner where the least of the plant is behind it; where it is now, unless another is clearly
-/// better or its own is taken. O(places).
+/// The corner where the least of the plant is behind it, of which what is selected weighs most;
+/// where it is now, unless another is clearly better or its own is taken. O(places).
 /// @param taken not all corners
-[[nodiscard]] Corner freestCorner(const InCorner& it, const std::vector<QPointF>& plant,
-                                  const QSizeF& view, const std::vector<Corner>& taken);
+[[nodiscard]] Corner freestCorner(const InCorner& it, const OnScreen& plant, const QSizeF& view,
+                                  const std::vector<Corner>& taken);
 
 } // namespace espalier

@@ -48,8 +48,7 @@ void Minimap::place(const QSize& view) {
   update();
 }
 
-void Minimap::giveWay(const std::vector<QPointF>& plant, const QSize& view,
-                      const std::vector<Corner>& taken) {
+void Minimap::giveWay(const OnScreen& plant, const QSize& view, const std::vector<Corner>& taken) {
   corner_ = freestCorner({mapSize, minimapMargin, corner_}, plant, view, taken);
   place(view);
 }

@@ -25,8 +25,7 @@ public:
   [[nodiscard]] static bool fits(const QSize& view);
   void place(const QSize& view); // in its corner
   /// Goes to the corner where it covers least of the plant, see freestCorner().
-  void giveWay(const std::vector<QPointF>& plant, const QSize& view,
-               const std::vector<Corner>& taken);
+  void giveWay(const OnScreen& plant, const QSize& view, const std::vector<Corner>& taken);
 
   void noteChange(); // of the plant or its colors: drawn anew a moment later
   void showCamera(const Camera& camera);

@@ -181,7 +181,7 @@ QString nameOf(const Scene& scene, Side side, const SeenSides& seen) {
   return isCompared ? QCoreApplication::translate("espalier::Overlay", "Plant") : QString();
 }
 
-void Overlay::giveWay(const Scene& scene, const std::vector<QPointF>& plant, const QSizeF& size,
+void Overlay::giveWay(const Scene& scene, const OnScreen& plant, const QSizeF& size,
                       const QFontMetricsF& font) {
   const std::vector<Legend> legends =
       hasLegends ? legendsOf(scene, unit, seen) : std::vector<Legend>();

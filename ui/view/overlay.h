@@ -59,7 +59,7 @@ struct Overlay {
 
   /// Moves the legends to the corner where they cover least of the plant, see freestCorner().
   /// @param plant as plantOnScreen()
-  void giveWay(const Scene& scene, const std::vector<QPointF>& plant, const QSizeF& size,
+  void giveWay(const Scene& scene, const OnScreen& plant, const QSizeF& size,
                const QFontMetricsF& font);
   /// The corners that are not free for anything else.
   [[nodiscard]] std::vector<Corner> corners() const;

@@ -267,7 +267,7 @@ std::optional<QPointF> PlantView::project(const Eigen::Vector3d& place) const {
 }
 
 int PlantView::coveredBy(const QRect& part) const {
-  const std::vector<QPointF> plant = plantOnScreen(parts_->scene, parts_->pointer.screen());
+  const OnScreen found = plantOnScreen(parts_->scene, parts_->pointer.screen());
   const auto isIn = [&](const QPointF& place) { return QRectF(part).contains(place); };
   const auto isBarIn = [&](const ColorBar* bar) {
     return bar->isVisible() && bar->geometry().intersects(part);
@@ -275,8 +275,10 @@ int PlantView::coveredBy(const QRect& part) const {
   const Minimap* map = parts_->minimap;
   const bool isMapIn = map != nullptr && map->isVisible() && map->geometry().intersects(part);
   constexpr int asMuch = 1000; // places: what a color bar or the minimap counts for
+  constexpr int selected = 20; // likewise: what is selected
   return static_cast<int>(
-      std::ranges::count_if(plant, isIn) +
+      std::ranges::count_if(found.plant, isIn) +
+      selected * std::ranges::count_if(found.selected, isIn) +
       asMuch * (std::ranges::count_if(parts_->colorBars, isBarIn) + (isMapIn ? 1 : 0)));
 }
 

@@ -44,7 +44,7 @@ void PlantView::Parts::giveWay() {
   if (!mayBeInTheWay || owner.isInGesture()) return;
   mayBeInTheWay = false;
   setUpOverlay();
-  const std::vector<QPointF> plant = plantOnScreen(scene, pointer.screen());
+  const OnScreen plant = plantOnScreen(scene, pointer.screen());
   overlay.giveWay(scene, plant, owner.size(), QFontMetricsF(owner.font(), overlayWidget));
   overlayWidget->update();
   refreshColorBars();

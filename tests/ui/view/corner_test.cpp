@@ -41,7 +41,7 @@ TEST(Corners, WhatLiesOverThePlantGoesWhereItIsNot) {
     for (const QPointF& place : placesIn({QPointF(0, 0), viewSize}))
       if (!placeOf(free).contains(place)) plant.push_back(place);
     for (const Corner now : {Corner::topRight, Corner::bottomLeft})
-      EXPECT_EQ(freestCorner(at(now), plant, viewSize, {}), free);
+      EXPECT_EQ(freestCorner(at(now), {plant, {}}, viewSize, {}), free);
   }
 }
 
@@ -49,7 +49,8 @@ TEST(Corners, ItStaysUnlessAnotherIsClearlyBetter) {
   const QRectF box = placeOf(Corner::topRight);
   const auto goesFrom = [&](double width, double height) { // shares of the box with plant
     const QRectF covered(box.topLeft(), QSizeF(width * box.width(), height * box.height()));
-    return freestCorner(at(Corner::topRight), placesIn(covered), viewSize, {}) != Corner::topRight;
+    return freestCorner(at(Corner::topRight), {placesIn(covered), {}}, viewSize, {}) !=
+           Corner::topRight;
   };
   EXPECT_FALSE(goesFrom(0.2, 0.05));
   EXPECT_TRUE(goesFrom(1, 0.5));
@@ -59,10 +60,21 @@ TEST(Corners, ItStaysUnlessAnotherIsClearlyBetter) {
   std::erase_if(plant, [&](const QPointF& place) {
     return left.contains(place) && place.y() < left.top() + 0.2 * left.height();
   });
-  EXPECT_EQ(freestCorner(at(Corner::topRight), plant, viewSize, {}), Corner::topRight);
-  EXPECT_EQ(freestCorner(at(Corner::topRight), plant, viewSize, {Corner::topRight}),
+  EXPECT_EQ(freestCorner(at(Corner::topRight), {plant, {}}, viewSize, {}), Corner::topRight);
+  EXPECT_EQ(freestCorner(at(Corner::topRight), {plant, {}}, viewSize, {Corner::topRight}),
             Corner::topLeft)
       << "its own is taken";
+}
+
+TEST(Corners, ItCoversThePlantRatherThanWhatIsSelected) {
+  OnScreen plant{.plant = placesIn({QPointF(0, 0), viewSize}), .selected = {}};
+  std::erase_if(plant.plant, [&](const QPointF& place) { // one corner is free of it
+    return placeOf(Corner::topLeft).contains(place);
+  });
+  EXPECT_EQ(freestCorner(at(Corner::topRight), plant, viewSize, {}), Corner::topLeft);
+  const QPointF middle = placeOf(Corner::topLeft).center();
+  plant.selected = placesIn({middle, middle + QPointF(60, 40)});
+  EXPECT_EQ(freestCorner(at(Corner::topRight), plant, viewSize, {}), Corner::topRight);
 }
 
 /// A flat plant that fills a quarter of the view, so that one corner is full of it.

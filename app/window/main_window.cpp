@@ -186,13 +186,15 @@ void MainWindow::connectMessages() {
     connect(&document_, signal, this, &MainWindow::refreshCounts);
   connect(&document_, &PlantDocument::skeletonEdited, this, &MainWindow::refreshCounts);
   connect(&document_, &PlantDocument::leftOutChanged, this, &MainWindow::refreshCounts);
-  connect(&document_.undoStack(), &QUndoStack::indexChanged, this, [this] {
+  const auto endRefusal = [this] { // why the last action was not done is history
+    if (banner_->isError() && banner_->text() == refusal_) banner_->hide();
+  };
+  connect(&document_.undoStack(), &QUndoStack::indexChanged, this, [this, endRefusal] {
     if (banner_->leavesByItself()) banner_->hide(); // it was about the step before
+    endRefusal();                                   // an edit by the mouse is no action
   });
   connect(actions_.get(), &ActionSet::refused, this, &MainWindow::showRefusal);
-  connect(actions_.get(), &ActionSet::acted, this, [this] { // why the last one was not is history
-    if (banner_->isError() && banner_->text() == refusal_) banner_->hide();
-  });
+  connect(actions_.get(), &ActionSet::acted, this, endRefusal);
   connect(start_, &StartPage::openRequested, (*actions_)["open"], &QAction::trigger);
   connect(start_, &StartPage::fileChosen, this, [this](const QString& path) { open({path}); });
   connect(recent_.get(), &RecentFiles::changed, this,

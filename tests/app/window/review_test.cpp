@@ -39,6 +39,18 @@ TEST_F(ReviewWindowTest, SaysWhyNothingIsMarkedUntilSomethingIsDone) {
   EXPECT_FALSE(window().banner().isVisible());
 }
 
+TEST_F(ReviewWindowTest, SaysItUntilAnEditByTheMouse) {
+  openFork();
+  action("show_review").setChecked(true);
+  document().selection().clear();
+  action("mark_doubtful").trigger();
+  ASSERT_TRUE(window().banner().isVisible());
+  document().edit("Move", [&](SkeletonEditor& editor) { // as a tool does
+    editor.setPosition(shoot(), {1, 0.5, 2});
+  });
+  EXPECT_FALSE(window().banner().isVisible());
+}
+
 TEST_F(ReviewWindowTest, EnterWhileNothingIsSelectedShowsTheFirstStop) {
   openFork();
   action("show_review").setChecked(true);

@@ -5620,6 +5620,10 @@ Of its points, %1 % are of wood, %2 % of petioles, %3 % of blades and %4 % of ne
 
 De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’aiguilles, autant que leurs formes le montrent</translation>
     </message>
+    <message>
+        <source>Perhaps: %1. The settings are those for it</source>
+        <translation>Peut-être&#xa0;: %1. Les réglages sont déjà ceux qui conviennent</translation>
+    </message>
 </context>
 <context>
     <name>espalier::LanguageFlow</name>
@@ -13400,6 +13404,26 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>What Is Listed</source>
         <translation>Ce qui est listé</translation>
+    </message>
+    <message>
+        <source>Show Again</source>
+        <translation>Réafficher</translation>
+    </message>
+    <message>
+        <source>1 place is ignored</source>
+        <translation>1 endroit est ignoré</translation>
+    </message>
+    <message>
+        <source>%1 places are ignored</source>
+        <translation>%1 endroits sont ignorés</translation>
+    </message>
+    <message>
+        <source>Nothing else to look at: 1 place is ignored</source>
+        <translation>Rien d’autre à regarder&#xa0;: 1 endroit est ignoré</translation>
+    </message>
+    <message>
+        <source>Nothing else to look at: %1 places are ignored</source>
+        <translation>Rien d’autre à regarder&#xa0;: %1 endroits sont ignorés</translation>
     </message>
 </context>
 <context>

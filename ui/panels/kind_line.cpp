@@ -18,7 +18,7 @@ KindLine::KindLine(QAction& take, QWidget* parent)
   button->setToolTip(take.toolTip());
   connect(button, &QPushButton::clicked, &take, &QAction::trigger);
   connect(&take, &QAction::changed, button, [&take, button] {
-    button->setEnabled(take.isEnabled());
+    button->setVisible(take.isEnabled());
     button->setToolTip(take.toolTip());
   });
   auto* column = new QVBoxLayout(this);

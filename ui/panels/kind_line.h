@@ -8,8 +8,8 @@ class QToolButton;
 
 namespace espalier {
 
-/// What the plant of a scan probably is, and the settings that go with it, for one click. Absent
-/// until there is something to say.
+/// What the plant of a scan probably is, and the settings that go with it, for one click where they
+/// are not set yet. Absent until there is something to say.
 class KindLine : public QWidget {
   Q_OBJECT
 

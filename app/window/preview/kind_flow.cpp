@@ -40,6 +40,8 @@ KindFlow::KindFlow(const Parts& parts) : parts_(parts), job_(parts.queue, JobPri
                       &PlantDocument::upChanged, &PlantDocument::skeletonReplaced})
     connect(&document, signal, this, &KindFlow::guess);
   connect(&document, &PlantDocument::skeletonEdited, this, &KindFlow::refresh);
+  connect(&parts_.pipeline, &PipelinePanel::changed, this, &KindFlow::refresh);
+  connect(&parts_.pipeline, &PipelinePanel::replaced, this, &KindFlow::refresh);
   refresh();
 }
 
@@ -70,12 +72,20 @@ void KindFlow::take() {
   emit noted(tr("Settings: %1").arg(shownText(preset.label)));
 }
 
+/// Whether the steps are set as they are for that kind already.
+bool KindFlow::isTaken() const {
+  const PipelineOptions now = parts_.pipeline.options();
+  const PipelineOptions& wanted = presetFor(kind_->likely.kind).options;
+  return now.settings == wanted.settings && now.methods == wanted.methods;
+}
+
 void KindFlow::refresh() {
   const bool isShown = kind_ && parts_.document.skeleton().isEmpty();
-  parts_.actions["take_kind"]->setEnabled(isShown);
+  parts_.actions["take_kind"]->setEnabled(isShown && !isTaken());
   if (!isShown) return line_->show({}, {});
   const auto& shares = kind_->shares;
-  line_->show(tr("Perhaps: %1").arg(labelOf(*kind_)),
+  line_->show((isTaken() ? tr("Perhaps: %1. The settings are those for it") : tr("Perhaps: %1"))
+                  .arg(labelOf(*kind_)),
               tr("A guess that is good for simulated plants and often wrong for real ones: other "
                  "settings are under Skeleton > Settings of the Steps.\n\nOf its points, %1 % are "
                  "of wood, %2 % of petioles, %3 % of blades and %4 % of needles, as far as their "

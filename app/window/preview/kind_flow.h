@@ -35,6 +35,7 @@ private:
   void guess();
   void take();
   void refresh();
+  [[nodiscard]] bool isTaken() const; // pre: kind_
 
   Parts parts_;
   KindLine* line_;

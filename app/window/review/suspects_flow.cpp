@@ -260,6 +260,7 @@ void SuspectsFlow::refresh() {
                std::ranges::count(twins_, false, &std::optional<std::size_t>::has_value));
   std::vector<Suspect> all = suspects(false);
   std::vector<Suspect> ignored = suspects(true);
+  ignoredCount_ = ignored.size();
   if (kind_ == ignoredKind && ignored.empty()) kind_ = allKinds;
   {
     const QScopedValueRollback refreshing(isRefreshing_, true);
@@ -271,7 +272,8 @@ void SuspectsFlow::refresh() {
       std::erase_if(all, [this](const Suspect& one) { return one.kind != kind_; });
     panel_->show(std::move(all));
     const auto row = current_ ? rowOf(*current_) : std::nullopt;
-    if (!row && !isSearching()) current_.reset(); // else it may be found again
+    if (row) current_ = whatOf(panel_->suspects()[*row]); // as it is now
+    if (!row && !isSearching()) current_.reset();         // else it may be found again
     panel_->setCurrent(row);
     keepPlace();
   }
@@ -452,6 +454,8 @@ void SuspectsFlow::showAction() {
   parts_.actions["ignore_finding"]->setText(
       isDoubt ? (isIgnored ? tr("Show Doubt Again") : tr("Ignore Doubt"))
               : (isIgnored ? tr("Show Finding Again") : tr("Ignore Finding")));
+  QAction* ignore = parts_.actions["ignore_finding"];
+  ignore->setIconText(isIgnored ? tr("Show Again") : ignore->text());
 }
 
 void SuspectsFlow::selectAll() {

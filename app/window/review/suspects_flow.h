@@ -104,6 +104,7 @@ private:
   QTimer agreementTimer_;
   QString agreement_;                       // as it was known last
   std::size_t count_ = 0;                   // of all, whatever is listed
+  std::size_t ignoredCount_ = 0;            // in the part that is listed
   std::shared_ptr<const PointCloud> cloud_; // that points of findings are in
   /// Of each finding, the doubt about the same points: its number, behind those that are not
   /// ignored those that are.

@@ -115,11 +115,18 @@ QString SuspectsFlow::sentenceOf(const What& what) const {
 
 QString SuspectsFlow::titleText() const {
   if (parts_.document.skeleton().isEmpty()) return tr("There is no skeleton to check yet");
+  if (kind_ == ignoredKind)
+    return ignoredCount_ == 1 ? tr("1 place is ignored")
+                              : tr("%1 places are ignored").arg(formatCount(ignoredCount_));
   if (count_ > 0)
     return count_ == 1 ? tr("1 place may be wrong")
                        : tr("%1 places may be wrong").arg(formatCount(count_));
   const bool isOver = parts_.findings.isAllChecked() && !parts_.doubts.isBusy();
-  return isOver ? tr("Nothing to look at: all checks pass") : tr("Nothing to look at so far");
+  if (!isOver) return tr("Nothing to look at so far");
+  return ignoredCount_ == 0 ? tr("Nothing to look at: all checks pass")
+         : ignoredCount_ == 1
+             ? tr("Nothing else to look at: 1 place is ignored")
+             : tr("Nothing else to look at: %1 places are ignored").arg(formatCount(ignoredCount_));
 }
 
 QString SuspectsFlow::noteText() const {

@@ -4,6 +4,7 @@
 #include "tests/app/window/findings_fixture.h"
 #include "ui/panels/status_line.h"
 
+#include <QAbstractButton>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -270,13 +271,15 @@ TEST_F(FindingsWindowTest, IgnoredOnesLeaveTheListAndComeBackOnRequest) {
   setRadiusOf(shoot(0), 0.2);
   key(Qt::Key_F4);
   key(Qt::Key_F4, Qt::ControlModifier);
-  EXPECT_EQ(title(), allIsWell);
+  EXPECT_EQ(title(), "Nothing else to look at: 1 place is ignored");
   EXPECT_EQ(countOf("Ignored"), "1");
   setRadiusOf(shoot(0), 0.3); // still thicker: still ignored
   EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Ignored") == "1"; }));
   chooseKind("Ignored");
+  EXPECT_EQ(title(), "1 place is ignored");
   QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, placeOfRow(0));
   EXPECT_EQ(action("ignore_finding").text(), "Show Finding Again");
+  EXPECT_EQ(find<QAbstractButton>("findings_ignore").text(), "Show Again");
   key(Qt::Key_F4, Qt::ControlModifier);
   EXPECT_EQ(title(), "1 place may be wrong");
   EXPECT_EQ(countOf("Ignored"), "");
@@ -292,7 +295,7 @@ TEST_F(FindingsWindowTest, AProjectRemembersWhatIsIgnored) {
   restart();
   open({file});
   EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Ignored") == "1"; }));
-  EXPECT_EQ(title(), allIsWell);
+  EXPECT_EQ(title(), "Nothing else to look at: 1 place is ignored");
   open({writeFork("other.mtg")});
   setRadiusOf(shoot(0), 0.2);
   EXPECT_TRUE(waitForTitle("1 place may be wrong")) << "another plant";

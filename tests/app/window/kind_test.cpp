@@ -54,6 +54,11 @@ TEST_F(KindTest, ItsSettingsAreTakenByOneClick) {
   clickButton("kind_take");
   EXPECT_EQ(options().settings, wanted.settings);
   EXPECT_EQ(options().methods, wanted.methods);
+  EXPECT_EQ(find<QLabel>("kind_text").text(), "Perhaps: Herb. The settings are those for it");
+  EXPECT_FALSE(find<QPushButton>("kind_take").isVisible()) << "nothing is left to be taken";
+  action("preset_default").trigger();
+  EXPECT_EQ(find<QLabel>("kind_text").text(), "Perhaps: Herb");
+  EXPECT_TRUE(find<QPushButton>("kind_take").isVisible());
 }
 
 TEST_F(KindTest, IsOfTheScanThatIsOpen) {

@@ -27,7 +27,7 @@ void addBounds(const PointGlance& glance, Json& json) {
 void addGuess(const std::string& key, const GlanceGuess& guess, Json& json) {
   json[key] = guess.value.empty() ? Json() : Json(guess.value);
   json[key + "_stated"] = guess.isStated;
-  json[key + "_reason"] = guess.reason;
+  json[key + "_reason"] = inEnglish(guess.reason);
 }
 
 } // namespace

@@ -44,12 +44,6 @@ void addBounds(PointGlance& glance) {
       glance.arePointsEstimated || glance.sample.size() < static_cast<std::size_t>(glance.points);
 }
 
-/// The unit that makes a plant of this extent [L] between a hand and a tall tree high.
-std::string unitOfExtent(double extent) {
-  if (extent > 100) return "mm"; // no tree is 100 m high
-  return extent > 0.05 ? "m" : "";
-}
-
 std::string roundedText(double value) {
   return plainDecimal(value < 100 ? std::round(value * 10) / 10 : std::round(value));
 }
@@ -63,19 +57,25 @@ bool areOfAMap(const Eigen::AlignedBox3d& bounds) {
 GlanceGuess guessedUnit(const Eigen::AlignedBox3d& bounds) {
   const double extent = bounds.isEmpty() ? 0 : bounds.sizes().maxCoeff();
   if (!bounds.isEmpty() && areOfAMap(bounds))
-    return {"m", "coordinates so far from 0 are those of a map", false};
+    return {"m", {Shown::tr("coordinates so far from 0 are those of a map")}, false};
   const std::string unit = unitOfExtent(extent);
-  if (unit.empty()) return {"", "the size does not show it", false};
   const std::string size = roundedText(extent);
-  if (unit == "mm") return {unit, "in m it would be " + size + " m large, as no plant is", false};
-  return {unit, "in mm it would be " + size + " mm large, as few plants are", false};
+  if (unit.empty() && extent > 1)
+    return {"",
+            {Shown::tr("in m it would be %1 m large, in mm %1 mm: few plants are either"), {size}},
+            false};
+  if (unit.empty()) return {"", {Shown::tr("the size does not show it")}, false};
+  if (unit == "mm")
+    return {unit, {Shown::tr("in m it would be %1 m large, as no plant is"), {size}}, false};
+  return {unit, {Shown::tr("in mm it would be %1 mm large, as few plants are"), {size}}, false};
 }
 
 GlanceGuess guessedUp(const std::vector<Eigen::Vector3d>& sample) {
   const auto up = likelyUp(sample);
-  if (!up) return {"z", "as most scans have it; no foot of a plant is seen", false};
+  if (!up) return {"z", {Shown::tr("as most scans have it; no foot of a plant is seen")}, false};
   const std::string axis(1, "xyz"[static_cast<int>(*up)]);
-  return {axis, "at the low end of " + axis + " points stand together, as at a foot", false};
+  return {
+      axis, {Shown::tr("at the low end of %1 points stand together, as at a foot"), {axis}}, false};
 }
 
 void requirePoints(const Format& format, const std::string& name) {
@@ -85,6 +85,13 @@ void requirePoints(const Format& format, const std::string& name) {
 }
 
 } // namespace
+
+std::string unitOfExtent(double extent) {
+  constexpr double highest = 100; // of trees [m]
+  constexpr double usual = 40;    // higher ones are few: it may be a seedling in mm
+  if (extent > highest) return "mm";
+  return extent > 0.05 && extent <= usual ? "m" : "";
+}
 
 PointGlance glanceAt(const std::filesystem::path& path, const std::vector<PointField>& columns) {
   const Format& format = formatOf(path);

@@ -19,6 +19,10 @@ namespace espalier {
 [[nodiscard]] PointGlance glanceAt(const std::filesystem::path& path,
                                    const std::vector<PointField>& columns = {});
 
+/// The unit that makes a plant of this extent [L] between a hand and a tall tree high: "m", "mm";
+/// empty: the extent does not show it.
+[[nodiscard]] std::string unitOfExtent(double extent);
+
 /// How a text file of points begins; none of a file that says itself what its columns hold.
 /// @throws Error as glanceAt; also if it has fewer than 3 columns
 [[nodiscard]] std::optional<FirstLines> firstLinesAt(const std::filesystem::path& path);

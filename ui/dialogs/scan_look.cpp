@@ -1,6 +1,7 @@
 #include "ui/dialogs/scan_look.h"
 
 #include "core/io/points/point_field.h"
+#include "ui/document/shown_message.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -71,7 +72,7 @@ QString sides(const Eigen::Vector3d& lengths, LengthUnit unit) {
 
 PointGlance glanceOf(const ScanLook& look) {
   PointGlance glance = look.glance;
-  const std::string reason = ScanLookText::tr("as the open scan").toStdString();
+  const ShownMessage reason{Shown::tr("as the open scan")};
   if (look.unit) glance.unit = {symbol(*look.unit).toStdString(), reason, true};
   if (look.up) glance.up = {std::string(1, "xyz"[static_cast<int>(*look.up)]), reason, true};
   return glance;
@@ -156,7 +157,7 @@ QString sizeText(const PointGlance& glance, LengthUnit unit) {
 }
 
 QString reasonText(const GlanceGuess& guess) {
-  const QString reason = QString::fromStdString(guess.reason);
+  const QString reason = shownText(guess.reason);
   if (guess.isStated) return ScanLookText::tr("Stated: %1").arg(reason);
   if (guess.value.empty()) return ScanLookText::tr("Not known: %1").arg(reason);
   return ScanLookText::tr("Guessed: %1").arg(reason);

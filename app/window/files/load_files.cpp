@@ -88,8 +88,7 @@ LoadedFiles loadFiles(const QStringList& paths, const ScanRequest& request,
 }
 
 LengthUnit likelyUnit(double extent) {
-  if (extent > 100) return LengthUnit::millimeter; // no tree is 100 m high
-  return extent > 0.05 ? LengthUnit::meter : LengthUnit::unknown;
+  return unitOfSymbol(QString::fromStdString(unitOfExtent(extent)));
 }
 
 std::filesystem::path toPath(const QString& path) {

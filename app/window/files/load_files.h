@@ -48,7 +48,7 @@ void keepMostAtOnce(QSettings& settings, std::uint64_t most); // for scans from 
 [[nodiscard]] LoadedFiles loadFiles(const QStringList& paths, const ScanRequest& request = {},
                                     const Progress& progress = {});
 
-/// The unit that makes a plant of this extent [L] between a hand and a tall tree high.
+/// As unitOfExtent() of core/io/glance.h.
 [[nodiscard]] LengthUnit likelyUnit(double extent);
 
 /// The path of a QString, for core.

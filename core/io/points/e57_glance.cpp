@@ -75,8 +75,8 @@ PointGlance glanceAtE57(ByteSource& source, const std::string& file) {
   const pugi::xml_node images = xml.root().child("images2D");
   const auto pictures = std::distance(images.begin(), images.end());
   if (pictures > 0) glance.leftOut.push_back(std::to_string(pictures) + " images");
-  glance.unit = {"m", "E57 is in meters", true};
-  glance.up = {"z", "E57 has z up", true};
+  glance.unit = {"m", {Shown::tr("E57 is in meters")}, true};
+  glance.up = {"z", {Shown::tr("E57 has z up")}, true};
   return glance;
 }
 

@@ -15,10 +15,10 @@ constexpr std::uint64_t mostRecordBytes = std::uint64_t{1} << 24; // of all, tha
 GlanceGuess unitOfCode(std::uint16_t code) {
   switch (code) {
   case 9001:
-    return {"m", "its map projection is in meters", true};
+    return {"m", {Shown::tr("its map projection is in meters")}, true};
   case 9002:
   case 9003:
-    return {"", "its map projection is in feet, which have no name here", true};
+    return {"", {Shown::tr("its map projection is in feet, which have no name here")}, true};
   default:
     return {};
   }
@@ -93,7 +93,7 @@ PointGlance glanceAtLas(ByteSource& source, const std::string& file) {
   glance.columns = columnsOfLas(header);
   if (header.count > 0) glance.bounds = boundsOfLas(head);
   glance.unit = unitOfLas(head, header);
-  glance.up = {"z", "LAS has heights along z", true};
+  glance.up = {"z", {Shown::tr("LAS has heights along z")}, true};
   return glance;
 }
 

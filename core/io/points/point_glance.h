@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/shown_message.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -19,7 +21,7 @@ struct GlanceColumn {
 /// What is known of the unit or of the axis that points up.
 struct GlanceGuess {
   std::string value;     // "mm", "cm", "m"; "x", "y", "z"; empty: not known
-  std::string reason;    // in a few words
+  ShownMessage reason;   // in a few words
   bool isStated = false; // by the file or its format, rather than guessed
 };
 

@@ -68,8 +68,8 @@ PointGlance glanceAtPtx(ByteSource& source, const std::string& file) {
   glance.stations = isOneBlock ? 1 : sampled.isAll ? 1 + headers / 2 : 0;
   if (!isOneBlock) glance.sample.clear(); // of blocks with matrices of their own
   addColumns(longest, glance);
-  glance.unit = {"m", "PTX is in meters", true};
-  glance.up = {"z", "scanners that write PTX stand along z", true};
+  glance.unit = {"m", {Shown::tr("PTX is in meters")}, true};
+  glance.up = {"z", {Shown::tr("scanners that write PTX stand along z")}, true};
   return glance;
 }
 

@@ -47,6 +47,7 @@ TEST(LikelyUnit, MakesNoTreeAHundredMetersHigh) {
   EXPECT_EQ(likelyUnit(3820), LengthUnit::millimeter);
   EXPECT_EQ(likelyUnit(3.82), LengthUnit::meter);
   EXPECT_EQ(likelyUnit(0.01), LengthUnit::unknown);
+  EXPECT_EQ(likelyUnit(46.2), LengthUnit::unknown) << "a tree, or a seedling in mm";
 }
 
 } // namespace

@@ -61,8 +61,8 @@ TEST(GlanceAt, CountsAndBoundsWhatIsRead) {
     }
     EXPECT_EQ(glance.isReadWhole, name == "j.geom" || name == "k.bgeom");
     EXPECT_EQ(glance.isCompressed, name == "e.laz" || name == "h.pcd");
-    EXPECT_FALSE(glance.up.reason.empty());
-    EXPECT_FALSE(glance.unit.reason.empty());
+    EXPECT_FALSE(glance.up.reason.sentence.empty());
+    EXPECT_FALSE(glance.unit.reason.sentence.empty());
   }
 }
 
@@ -88,13 +88,24 @@ TEST(GlanceAt, GuessesUnitAndAxisWithAReason) {
   const PointGlance glance = glanceAt(glanceFile("oak.xyz", text));
   EXPECT_EQ(glance.unit.value, "mm");
   EXPECT_FALSE(glance.unit.isStated);
-  EXPECT_EQ(glance.unit.reason, "in m it would be 3000 m large, as no plant is");
+  EXPECT_EQ(inEnglish(glance.unit.reason), "in m it would be 3000 m large, as no plant is");
   EXPECT_EQ(glance.up.value, "y");
-  EXPECT_EQ(glance.up.reason, "at the low end of y points stand together, as at a foot");
+  EXPECT_EQ(inEnglish(glance.up.reason), "at the low end of y points stand together, as at a foot");
   const PointGlance map =
       glanceAt(glanceFile("map.xyz", "500001 4000002 100\n500011 4000007 130\n"));
   EXPECT_EQ(map.unit.value, "m");
   EXPECT_EQ(map.up.value, "z");
+}
+
+TEST(GlanceAt, GuessesNoUnitWhereASizeIsRareInEach) {
+  EXPECT_EQ(unitOfExtent(3000), "mm");
+  EXPECT_EQ(unitOfExtent(38), "m");
+  EXPECT_EQ(unitOfExtent(0.3), "m");
+  EXPECT_EQ(unitOfExtent(0.01), "");
+  const PointGlance glance = glanceAt(glanceFile("herb.xyz", "0 0 0\n3 4 46.2\n"));
+  EXPECT_EQ(glance.unit.value, "");
+  EXPECT_EQ(inEnglish(glance.unit.reason),
+            "in m it would be 46.2 m large, in mm 46.2 mm: few plants are either");
 }
 
 TEST(GlanceAt, EstimatesTheLinesOfALongText) {

@@ -52,18 +52,6 @@
 <context>
     <name>DoubtText</name>
     <message>
-        <source>May be no wood</source>
-        <translation>Bois incertain</translation>
-    </message>
-    <message>
-        <source>May grow elsewhere</source>
-        <translation>Attache incertaine</translation>
-    </message>
-    <message>
-        <source>May be missing</source>
-        <translation>Manque peut-être</translation>
-    </message>
-    <message>
         <source>Is this branch wood? %1 long</source>
         <translation>Cette branche est-elle du bois&#xa0;? Longueur&#xa0;: %1</translation>
     </message>
@@ -2306,10 +2294,6 @@
     <message>
         <source>Nothing names the columns, and some are left out: check below what they hold.</source>
         <translation>Rien ne nomme les colonnes, et certaines sont écartées&#xa0;: vérifiez ci-dessous ce qu’elles contiennent.</translation>
-    </message>
-    <message>
-        <source>as the open scan</source>
-        <translation>comme le scan ouvert</translation>
     </message>
     <message>
         <source>Some lines cannot be read with these columns: choose others below.</source>
@@ -4682,14 +4666,6 @@
         <translation>Comparé avec %1</translation>
     </message>
     <message>
-        <source>they were %1 apart, and turned by %2</source>
-        <translation>elles étaient à %1 l’une de l’autre, et tournées de %2</translation>
-    </message>
-    <message>
-        <source>they were %1 apart</source>
-        <translation>elles étaient à %1 l’une de l’autre</translation>
-    </message>
-    <message>
         <source>moved by %1</source>
         <translation>déplacée de %1</translation>
     </message>
@@ -4704,6 +4680,14 @@
     <message>
         <source>Comparing…</source>
         <translation>Comparaison…</translation>
+    </message>
+    <message>
+        <source>the two files lie %1 apart and are turned by %2: the reference is shown on the plant</source>
+        <translation>les deux fichiers sont à %1 l’un de l’autre et tournés de %2&#xa0;: la référence est montrée sur la plante</translation>
+    </message>
+    <message>
+        <source>the two files lie %1 apart: the reference is shown on the plant</source>
+        <translation>les deux fichiers sont à %1 l’un de l’autre&#xa0;: la référence est montrée sur la plante</translation>
     </message>
 </context>
 <context>
@@ -12689,6 +12673,66 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>3D mice</source>
         <translation>souris 3D</translation>
+    </message>
+    <message>
+        <source>coordinates so far from 0 are those of a map</source>
+        <translation>des coordonnées si loin de 0 sont celles d’une carte</translation>
+    </message>
+    <message>
+        <source>in m it would be %1 m large, in mm %1 mm: few plants are either</source>
+        <translation>en m elle ferait %1 m, en mm %1 mm&#xa0;: peu de plantes font l’un ou l’autre</translation>
+    </message>
+    <message>
+        <source>the size does not show it</source>
+        <translation>la taille ne le montre pas</translation>
+    </message>
+    <message>
+        <source>in m it would be %1 m large, as no plant is</source>
+        <translation>en m elle ferait %1 m, ce qu’aucune plante n’atteint</translation>
+    </message>
+    <message>
+        <source>in mm it would be %1 mm large, as few plants are</source>
+        <translation>en mm elle ferait %1 mm, ce qui est rare pour une plante</translation>
+    </message>
+    <message>
+        <source>as most scans have it; no foot of a plant is seen</source>
+        <translation>comme dans la plupart des scans&#xa0;; aucun pied de plante n’est visible</translation>
+    </message>
+    <message>
+        <source>at the low end of %1 points stand together, as at a foot</source>
+        <translation>au bas de %1, des points sont serrés comme à un pied</translation>
+    </message>
+    <message>
+        <source>E57 is in meters</source>
+        <translation>E57 est en mètres</translation>
+    </message>
+    <message>
+        <source>E57 has z up</source>
+        <translation>E57 a z vers le haut</translation>
+    </message>
+    <message>
+        <source>its map projection is in meters</source>
+        <translation>sa projection cartographique est en mètres</translation>
+    </message>
+    <message>
+        <source>its map projection is in feet, which have no name here</source>
+        <translation>sa projection cartographique est en pieds, qui n’ont pas de nom ici</translation>
+    </message>
+    <message>
+        <source>LAS has heights along z</source>
+        <translation>LAS a les hauteurs selon z</translation>
+    </message>
+    <message>
+        <source>PTX is in meters</source>
+        <translation>PTX est en mètres</translation>
+    </message>
+    <message>
+        <source>scanners that write PTX stand along z</source>
+        <translation>les scanners qui écrivent PTX se tiennent selon z</translation>
+    </message>
+    <message>
+        <source>as the open scan</source>
+        <translation>comme le scan ouvert</translation>
     </message>
 </context>
 <context>

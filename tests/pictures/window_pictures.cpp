@@ -113,8 +113,8 @@ TEST_F(ManualPictures, Doubts) {
   for (const Doubt::Kind kind : {Doubt::Kind::end, Doubt::Kind::attachment, Doubt::Kind::missing}) {
     int at = -1;
     ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return (at = kinds.findText(titleOf(kind), Qt::MatchStartsWith)) >= 0; }, patience))
-        << titleOf(kind).toStdString();
+        [&] { return (at = kinds.findText(nameOfOne(kind), Qt::MatchStartsWith)) >= 0; }, patience))
+        << nameOfOne(kind).toStdString();
     emit kinds.activated(at);
     action("ask_doubts").trigger();
     ASSERT_TRUE(QTest::qWaitFor([this] { return action("answer_1").isEnabled(); }, patience));

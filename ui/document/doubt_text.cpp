@@ -11,18 +11,6 @@ class DoubtText {
 
 } // namespace
 
-QString titleOf(Doubt::Kind kind) {
-  switch (kind) {
-  case Doubt::Kind::end:
-    return DoubtText::tr("May be no wood");
-  case Doubt::Kind::attachment:
-    return DoubtText::tr("May grow elsewhere");
-  case Doubt::Kind::missing:
-    return DoubtText::tr("May be missing");
-  }
-  return {};
-}
-
 QString nameOfOne(Doubt::Kind kind) {
   switch (kind) {
   case Doubt::Kind::end:

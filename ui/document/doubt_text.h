@@ -10,9 +10,7 @@
 
 namespace espalier {
 
-/// What doubts of a kind are, as the title of a list of them: "May be no wood".
-[[nodiscard]] QString titleOf(Doubt::Kind kind);
-/// One of them, briefly: "No wood?"
+/// A doubt of this kind, briefly, also where they are counted: "No wood?"
 [[nodiscard]] QString nameOfOne(Doubt::Kind kind);
 
 /// What is asked: "Is this branch wood? 12 cm long"

@@ -165,9 +165,11 @@ void EvaluationPanel::refreshPlace(const Evaluation& evaluation) {
     const QString far = length(lay.shift.norm());
     const bool isTurned = lay.angle() > 0;
     if (isTurned)
-      lines.prepend(tr("they were %1 apart, and turned by %2").arg(far, angleText(lay.angle())));
+      lines.prepend(
+          tr("the two files lie %1 apart and are turned by %2: the reference is shown on the plant")
+              .arg(far, angleText(lay.angle())));
     else if (evaluation.isShiftLarge)
-      lines.prepend(tr("they were %1 apart").arg(far));
+      lines.prepend(tr("the two files lie %1 apart: the reference is shown on the plant").arg(far));
     else
       shift_->setText(tr("moved by %1").arg(far));
     (shift_->text().isEmpty() ? warnings_ : shift_)->setToolTip(placeTip(lay));

@@ -297,7 +297,7 @@ void SuspectsFlow::showKinds(const std::vector<Suspect>& all, std::size_t ignore
   for (const auto& [kind, count] : counts)
     add(kind,
         kind < findingKinds ? titleOf(static_cast<Finding::Kind>(kind))
-                            : titleOf(static_cast<Doubt::Kind>(kind - findingKinds)),
+                            : nameOfOne(static_cast<Doubt::Kind>(kind - findingKinds)),
         count);
   if (ignored > 0) add(ignoredKind, tr("Ignored"), ignored);
   panel_->showKinds(kinds, kind_);

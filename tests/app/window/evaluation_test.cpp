@@ -174,7 +174,7 @@ TEST_F(EvaluationWindowTest, LaysTheReferenceOnThePlantUnlessItIsToLieWhereItLay
   open({write("plant.mtg", plant())});
   load(write("expert.mtg", off));
   EXPECT_EQ(score("f"), "1.000");
-  EXPECT_TRUE(find<QLabel>("evaluation_warnings").text().contains("they were 0.112"))
+  EXPECT_TRUE(find<QLabel>("evaluation_warnings").text().contains("files lie 0.112"))
       << find<QLabel>("evaluation_warnings").text().toStdString();
   QTest::mouseClick(&find<QCheckBox>("evaluation_laid"), Qt::LeftButton, {}, QPoint(8, 8));
   ASSERT_TRUE(waitForScores());
@@ -256,7 +256,7 @@ TEST_F(EvaluationWindowTest, FindsTheShiftAgainAsThePlantIsMovedPieceByPiece) {
     });
   ASSERT_TRUE(waitForScores());
   EXPECT_EQ(score("f"), "1.000");
-  EXPECT_TRUE(find<QLabel>("evaluation_warnings").text().contains("they were 0.3"))
+  EXPECT_TRUE(find<QLabel>("evaluation_warnings").text().contains("files lie 0.3"))
       << find<QLabel>("evaluation_warnings").text().toStdString();
 }
 

@@ -36,7 +36,7 @@ Evaluation evaluate(const HeldSkeleton& result, const HeldSkeleton& reference, b
   return resultOf(report, threads, [&](const Progress& progress) {
     Comparison comparison = compare(*result.skeleton, *reference.skeleton, options, progress);
     std::string numbers = toJson(comparison).dump();
-    return Evaluation{std::move(comparison.scores), std::move(comparison.warnings),
+    return Evaluation{std::move(comparison.scores), eachInEnglish(comparison.warnings),
                       std::move(numbers)};
   });
 }

@@ -110,10 +110,10 @@ void describe(const PointCloud& cloud, const Reconstruction& result, BatchResult
 /// What makes the scores doubtful. A shift alone does not: scans and references seldom have one
 /// frame.
 std::vector<std::string> doubtsIn(const Comparison& comparison) {
-  std::vector<std::string> doubts = comparison.warnings;
+  std::vector<ShownMessage> doubts = comparison.warnings;
   const bool isTurned = comparison.registration && comparison.registration->angle() > 0;
   if (!isTurned) std::erase(doubts, comparison.shiftWarning);
-  return doubts;
+  return eachInEnglish(doubts);
 }
 
 /// @param spacing  of the points [L]: F is taken at four of them

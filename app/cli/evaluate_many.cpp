@@ -16,8 +16,8 @@ std::vector<std::string> poorFits(const Ranking& ranking, const std::vector<std:
   std::vector<std::string> lines;
   for (const RankedResult& result : ranking.results)
     if (result.registration)
-      if (const std::string warning = warningOfFit(*result.registration); !warning.empty())
-        lines.push_back(names.at(result.result) + ": " + warning);
+      if (const auto warning = warningOfFit(*result.registration))
+        lines.push_back(names.at(result.result) + ": " + inEnglish(*warning));
   return lines;
 }
 
@@ -40,9 +40,9 @@ void evaluateMany(const EvaluateFlags& flags, const TerminalProgress& terminal) 
   for (const std::string& name : names) {
     results.push_back(skeletonIn(name, flags.scale));
     const Traits found = traits(results.back());
-    for (const std::string& warning :
-         {warningOfTrees(found, "the plant"), warningOfSize(found, expected)})
-      if (!warning.empty()) notes.push_back(name + ": " + warning);
+    for (const auto& warning :
+         {warningOfTrees(found, ComparedAs::plant), warningOfSize(found, expected)})
+      if (warning) notes.push_back(name + ": " + inEnglish(*warning));
   }
   printNotes(notes);
   const Ranking found =

@@ -50,9 +50,9 @@ void evaluateOne(const EvaluateFlags& flags, const TerminalProgress& terminal) {
   options.breastHeight = breastHeightIn(flags.unit);
   Comparison comparison = compare(result, reference, options, whole.part(0.1, 0.4));
   if (flags.noRegister) warnOfPlace(comparison, result, reference, flags, whole.part(0.4, 0.45));
-  std::vector<std::string> notes = comparison.warnings;
+  std::vector<ShownMessage> notes = comparison.warnings;
   std::erase(notes, comparison.shiftWarning); // what is printed names the shift
-  printNotes(notes);
+  printNotes(eachInEnglish(notes));
   terminal.clear();
   print(comparison, options.edit, flags.unit);
   if (flags.where) printWhere(comparison, flags.unit);

@@ -66,12 +66,12 @@ void warnOfPlace(Comparison& comparison, const Skeleton& result, const Skeleton&
   if (found.angle() == 0 && shift <= defaultTolerances(reference).front()) return;
   const auto rounded = [](double value) { return plainDecimal(std::round(10 * value) / 10); };
   const std::string unit = flags.unit.empty() ? "" : " " + flags.unit;
-  comparison.warnings.push_back(
-      "the plant lies about " + rounded(shift) + unit + " off the reference" +
-      (found.angle() > 0
-           ? ", turned by " + rounded(found.angle() * 180 / std::numbers::pi) + " degrees"
-           : "") +
-      ", which lowers the scores: without --no-register it is laid on it first");
+  comparison.warnings.push_back( // on the terminal alone
+      {"the plant lies about " + rounded(shift) + unit + " off the reference" +
+       (found.angle() > 0
+            ? ", turned by " + rounded(found.angle() * 180 / std::numbers::pi) + " degrees"
+            : "") +
+       ", which lowers the scores: without --no-register it is laid on it first"});
 }
 
 } // namespace espalier

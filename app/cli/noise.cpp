@@ -131,8 +131,8 @@ void noise(const NoiseFlags& flags) {
   const Imported<Structure> structure = readStructure(flags.reference);
   printNotes(structure.notes);
   requireComparable(structure.value.skeleton, flags.reference);
-  const std::string ofTrees = warningOfTrees(traits(structure.value.skeleton), "the reference");
-  if (!ofTrees.empty()) printNotes({ofTrees});
+  const auto ofTrees = warningOfTrees(traits(structure.value.skeleton), ComparedAs::reference);
+  if (ofTrees) printNotes({inEnglish(*ofTrees)});
   const NoiseStudy study = about(flags.reference, [&] {
     return noiseStudy(structure.value.skeleton, options, terminal.progress());
   });

@@ -85,7 +85,7 @@ std::vector<std::string> doubtsIn(const Registration& lay) {
     doubts.push_back("the plant was turned by " +
                      plainDecimal(std::round(10 * lay.angle() * 180 / std::numbers::pi) / 10) +
                      " degrees to lie on the reference");
-  if (const std::string ofFit = warningOfFit(lay); !ofFit.empty()) doubts.push_back(ofFit);
+  if (const auto ofFit = warningOfFit(lay)) doubts.push_back(inEnglish(*ofFit));
   return doubts;
 }
 

@@ -176,7 +176,7 @@ void measure(const TraitsFlags& flags) {
     data.envelope = about(flags.report.scan.empty() ? flags.file : flags.report.scan, [&] {
       return envelopeOf(data, flags, whole.part(0.6, 0.7, "Envelope"));
     });
-  printNotes(data.measures.warnings);
+  printNotes(eachInEnglish(data.measures.warnings));
   terminal.clear();
   print(data.measures, flags.unit);
   if (data.envelope) {

@@ -8,6 +8,7 @@
 #include "core/evaluate/traits_json.h"
 #include "core/io/atomic_file.h"
 #include "core/io/csv.h"
+#include "ui/document/shown_message.h"
 #include "ui/document/shown_text.h"
 
 #include <nlohmann/json.hpp>
@@ -95,8 +96,8 @@ ReportSection summary(const Parts& parts) {
   ReportSection section{ReportText::tr("Summary"), {ReportParagraph{sentence(parts)}}};
   section.blocks.emplace_back(keyNumbers(parts));
   ReportWarnings warnings;
-  for (const std::string& warning : parts.data.measures.warnings)
-    warnings.lines.append(QString::fromStdString(warning));
+  for (const ShownMessage& warning : parts.data.measures.warnings)
+    warnings.lines.append(shownText(warning));
   if (!parts.pictures.problem.isEmpty())
     warnings.lines.append(ReportText::tr("there are no pictures: %1").arg(parts.pictures.problem));
   if (!warnings.lines.isEmpty()) section.blocks.emplace_back(std::move(warnings));

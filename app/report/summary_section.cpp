@@ -1,5 +1,6 @@
 #include "app/report/report_sections.h"
 #include "ui/document/difference_look.h"
+#include "ui/document/shown_message.h"
 #include "ui/view/point_colors.h"
 
 #include <algorithm>
@@ -168,10 +169,10 @@ ReportSection summarySection(const ReportParts& parts) {
       ReportParagraph::Look::note});
   ReportWarnings warnings;
   const Comparison& comparison = parts.data.comparison;
-  for (const std::string& warning : comparison.warnings)
+  for (const ShownMessage& warning : comparison.warnings)
     warnings.lines.append(warning == comparison.shiftWarning
                               ? shiftText(*comparison.registration, parts.numbers)
-                              : QString::fromStdString(warning));
+                              : shownText(warning));
   if (parts.about.scale != 1)
     warnings.lines.append(ReportText::tr("the plant was multiplied by %1 first")
                               .arg(parts.numbers.given(parts.about.scale)));

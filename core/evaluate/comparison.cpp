@@ -8,60 +8,60 @@
 
 #include <algorithm>
 #include <numbers>
-#include <sstream>
 
 namespace espalier {
 namespace {
 
-void warn(Comparison& comparison, const std::string& warning) {
-  if (!warning.empty()) comparison.warnings.push_back(warning);
+void warn(Comparison& comparison, const std::optional<ShownMessage>& warning) {
+  if (warning) comparison.warnings.push_back(*warning);
 }
 
 std::string inBrackets(const Eigen::Vector3d& vector) {
-  std::ostringstream text;
-  text.precision(4);
-  text << '(' << vector.x() << ", " << vector.y() << ", " << vector.z() << ')';
-  return text.str();
+  return '(' + inDigits(vector.x(), 4) + ", " + inDigits(vector.y(), 4) + ", " +
+         inDigits(vector.z(), 4) + ')';
 }
 
 void warnOfShift(Comparison& comparison, double unit) {
   if (!comparison.registration) return;
   const Registration& lay = *comparison.registration;
   if (lay.angle() == 0 && lay.shift.norm() <= unit) return;
-  std::ostringstream text;
-  text.precision(4);
-  text << "the plant lay " << lay.shift.norm() << " off the reference: it was ";
-  if (lay.angle() > 0)
-    text << "turned by " << lay.angle() * 180 / std::numbers::pi << " degrees about "
-         << inBrackets(((1e3 * lay.axis()).array().round() / 1e3 + 0.0).matrix()) << " and ";
-  text << "moved by " << inBrackets(lay.shift) << " to lie on it";
-  comparison.shiftWarning = text.str();
+  const std::string far = inDigits(lay.shift.norm(), 4);
+  const Eigen::Vector3d axis = ((1e3 * lay.axis()).array().round() / 1e3 + 0.0).matrix();
+  comparison.shiftWarning =
+      lay.angle() > 0
+          ? ShownMessage{Shown::tr("the plant lay %1 off the reference: it was turned by %2 "
+                                   "degrees about %3 and moved by %4 to lie on it"),
+                         {far, inDigits(lay.angle() * 180 / std::numbers::pi, 4), inBrackets(axis),
+                          inBrackets(lay.shift)}}
+          : ShownMessage{
+                Shown::tr("the plant lay %1 off the reference: it was moved by %2 to lie on it"),
+                {far, inBrackets(lay.shift)}};
   comparison.warnings.push_back(comparison.shiftWarning);
 }
 
 /// Little lies near once the plant is laid on the reference, or nothing does.
 void warnOfMisfit(Comparison& comparison, const ToleranceCurve& curve) {
   const auto& lay = comparison.registration;
-  const std::string ofFit = lay ? warningOfFit(*lay) : std::string();
-  warn(comparison, ofFit.empty() ? warningOfDistance(curve, lay.has_value()) : ofFit);
+  const std::optional<ShownMessage> ofFit = lay ? warningOfFit(*lay) : std::nullopt;
+  warn(comparison, ofFit ? ofFit : warningOfDistance(curve, lay.has_value()));
 }
 
 /// Light on the surface of a plant; none, with a warning, of one without radii.
 std::optional<LightInterception> lightOf(Comparison& comparison, const Skeleton& skeleton,
-                                         const std::string& role, const LightOptions& options,
+                                         ComparedAs as, const LightOptions& options,
                                          const Progress& progress) {
   std::optional<LightInterception> light = lightOn(skeleton, options, progress);
-  if (!light) warn(comparison, role + " has no radii: its light is left out; estimate radii first");
+  if (!light) warn(comparison, warningOfNoRadii(as));
   return light;
 }
 
 void warnOfEdits(Comparison& comparison, ComparedPlants& plants, EditUnit unit) {
   if (plants.edit()) return;
   const auto [ofResult, ofReference] = editedParts(plants, unit);
-  std::ostringstream text;
-  text << "the edit distance of " << ofResult << " and " << ofReference
-       << " parts would take too long and is left out: compare segments or axes";
-  comparison.warnings.push_back(text.str());
+  comparison.warnings.push_back(
+      {Shown::tr("the edit distance of %1 and %2 parts would take too long and is left out: "
+                 "compare segments or axes"),
+       {std::to_string(ofResult), std::to_string(ofReference)}});
 }
 
 /// pre: both stand along z
@@ -113,9 +113,10 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
   const UpAxis up = options.registration.up;
   const Skeleton uprightReference = standing(reference, up);
   measureEach(comparison, standing(result, up), uprightReference);
-  warn(comparison, warningOfTrees(comparison.resultTraits, "the plant"));
-  warn(comparison, warningOfTrees(comparison.referenceTraits, "the reference"));
-  const std::string ofSize = warningOfSize(comparison.resultTraits, comparison.referenceTraits);
+  warn(comparison, warningOfTrees(comparison.resultTraits, ComparedAs::plant));
+  warn(comparison, warningOfTrees(comparison.referenceTraits, ComparedAs::reference));
+  const std::optional<ShownMessage> ofSize =
+      warningOfSize(comparison.resultTraits, comparison.referenceTraits);
   warn(comparison, ofSize);
 
   Skeleton laid = result;
@@ -135,7 +136,7 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
   plants.with(progress.part(0.63, 0.68, Shown::tr("Counting edits")));
   warnOfEdits(comparison, plants, options.edit.unit);
   plants.with(progress.part(0.68, 0.8, Shown::tr("Measuring distances")));
-  if (ofSize.empty()) warnOfMisfit(comparison, plants.tolerance());
+  if (!ofSize) warnOfMisfit(comparison, plants.tolerance());
   score(comparison, plants, progress.part(0.8, 0.95));
   const double near = plants.distance();
   std::move(plants).moveTo(comparison);
@@ -144,9 +145,9 @@ Comparison compare(const Skeleton& result, const Skeleton& reference,
       agreementByPlace(uprightLaid, uprightReference, near, comparison.tolerance.step,
                        progress.part(0.95, options.light ? 0.96 : 1));
   if (options.light) {
-    comparison.resultLight = lightOf(comparison, uprightLaid, "the plant", *options.light,
+    comparison.resultLight = lightOf(comparison, uprightLaid, ComparedAs::plant, *options.light,
                                      progress.part(0.96, 0.98, Shown::tr("Measuring light")));
-    comparison.referenceLight = lightOf(comparison, uprightReference, "the reference",
+    comparison.referenceLight = lightOf(comparison, uprightReference, ComparedAs::reference,
                                         *options.light, progress.part(0.98, 1));
   }
   progress.update(1);

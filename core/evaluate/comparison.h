@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/shown_message.h"
 #include "core/evaluate/differences/differences.h"
 #include "core/evaluate/light/light_interception.h"
 #include "core/evaluate/match/agreement_by_place.h"
@@ -83,9 +84,9 @@ struct Comparison {
   WoodAmounts referenceWood;
   std::optional<LightInterception> resultLight; // of generalized cylinders; none if not asked for,
   std::optional<LightInterception> referenceLight; // or if no node has a radius
-  std::vector<double> radiusLimits;  // of the classes of both [L]: those of the reference
-  std::vector<std::string> warnings; // a line each: what makes the numbers doubtful
-  std::string shiftWarning;          // the one of them about the shift; empty if there is none
+  std::vector<double> radiusLimits;   // of the classes of both [L]: those of the reference
+  std::vector<ShownMessage> warnings; // a line each: what makes the numbers doubtful
+  ShownMessage shiftWarning;          // the one of them about the shift; empty if there is none
 };
 
 /// Pairs of parts of both plants up to which compare() computes the edit distance: a few seconds.

@@ -225,7 +225,7 @@ nlohmann::ordered_json toJson(const Comparison& comparison) {
       {"result", comparison.resultLight ? toJson(*comparison.resultLight) : Json()},
       {"reference", comparison.referenceLight ? toJson(*comparison.referenceLight) : Json()}};
   json["scores"] = toJson(comparison.scores);
-  json["warnings"] = comparison.warnings;
+  json["warnings"] = eachInEnglish(comparison.warnings);
   return json;
 }
 

@@ -27,57 +27,81 @@ const UnitPair* unitsOf(double ratio) {
 
 } // namespace
 
-std::string warningOfTrees(const Traits& traits, std::string_view role) {
-  if (traits.roots <= 1) return {};
-  return std::string(role) + " is of " + std::to_string(traits.roots) +
-         " separate trees, compared as one plant: keep one of them if they are not";
+std::string inDigits(double value, int digits) {
+  std::ostringstream text;
+  text.precision(digits);
+  text << value;
+  return text.str();
 }
 
-std::string warningOfTrees(const Traits& traits) {
-  if (traits.roots <= 1) return {};
-  return "the plant is of " + std::to_string(traits.roots) +
-         " separate trees, measured as one plant: keep one of them if they are not";
+std::optional<ShownMessage> warningOfTrees(const Traits& traits, ComparedAs as) {
+  if (traits.roots <= 1) return std::nullopt;
+  const char* text =
+      as == ComparedAs::plant
+          ? Shown::tr("the plant is of %1 separate trees, compared as one plant: keep one of them "
+                      "if they are not")
+          : Shown::tr("the reference is of %1 separate trees, compared as one plant: keep one of "
+                      "them if they are not");
+  return ShownMessage{text, {std::to_string(traits.roots)}};
 }
 
-std::string warningOfSize(const Traits& result, const Traits& reference) {
+std::optional<ShownMessage> warningOfTrees(const Traits& traits) {
+  if (traits.roots <= 1) return std::nullopt;
+  return ShownMessage{Shown::tr("the plant is of %1 separate trees, measured as one plant: keep "
+                                "one of them if they are not"),
+                      {std::to_string(traits.roots)}};
+}
+
+ShownMessage warningOfNoRadii(ComparedAs as) {
+  return {
+      as == ComparedAs::plant
+          ? Shown::tr("the plant has no radii: its light is left out; estimate radii first")
+          : Shown::tr("the reference has no radii: its light is left out; estimate radii first")};
+}
+
+std::optional<ShownMessage> warningOfSize(const Traits& result, const Traits& reference) {
   const double quotient = result.extent.norm() / reference.extent.norm();
   const bool isLarger = quotient > 1;
   const double ratio = isLarger ? quotient : 1 / quotient;
   const UnitPair* units = unitsOf(ratio);
-  if (units == nullptr && ratio <= 20) return {};
-  std::ostringstream text;
-  text << "the plant is "
-       << plainDecimal(ratio < 100 ? std::round(10 * ratio) / 10 : std::round(ratio))
-       << " times as " << (isLarger ? "large" : "small") << " as the reference: ";
-  if (units == nullptr) {
-    text << "check that both are in the same unit and of the same plant";
-  } else {
-    text << "it seems to be in " << (isLarger ? units->smaller : units->larger)
-         << ", the reference in " << (isLarger ? units->larger : units->smaller)
-         << "; scale the plant by " << plainDecimal(isLarger ? 1 / units->ratio : units->ratio);
-  }
-  return text.str();
+  if (units == nullptr && ratio <= 20) return std::nullopt;
+  const std::string times =
+      plainDecimal(ratio < 100 ? std::round(10 * ratio) / 10 : std::round(ratio));
+  if (units == nullptr)
+    return ShownMessage{
+        isLarger ? Shown::tr("the plant is %1 times as large as the reference: check that both are "
+                             "in the same unit and of the same plant")
+                 : Shown::tr("the plant is %1 times as small as the reference: check that both are "
+                             "in the same unit and of the same plant"),
+        {times}};
+  const char* text =
+      isLarger ? Shown::tr("the plant is %1 times as large as the reference: it seems to be in %2, "
+                           "the reference in %3; scale the plant by %4")
+               : Shown::tr("the plant is %1 times as small as the reference: it seems to be in %2, "
+                           "the reference in %3; scale the plant by %4");
+  return ShownMessage{text,
+                      {times, isLarger ? units->smaller : units->larger,
+                       isLarger ? units->larger : units->smaller,
+                       plainDecimal(isLarger ? 1 / units->ratio : units->ratio)}};
 }
 
-std::string warningOfFit(const Registration& registration) {
-  if (registration.near >= poorFit) return {};
-  std::ostringstream text;
-  text.precision(3);
-  text << "the two fit poorly: laid on each other, "
-       << plainDecimal(std::round(100 * registration.near)) << " % of their length lies within "
-       << registration.nearDistance
-       << " of the other, an eighth of a mean segment: check that they are of the same plant";
-  return text.str();
+std::optional<ShownMessage> warningOfFit(const Registration& registration) {
+  if (registration.near >= poorFit) return std::nullopt;
+  return ShownMessage{
+      Shown::tr("the two fit poorly: laid on each other, %1 % of their length lies within %2 of "
+                "the other, an eighth of a mean segment: check that they are of the same plant"),
+      {plainDecimal(std::round(100 * registration.near)), inDigits(registration.nearDistance, 3)}};
 }
 
-std::string warningOfDistance(const ToleranceCurve& curve, bool isRegistered) {
-  if (curve.scores.empty() || curve.scores.back().f() >= 0.1) return {};
-  std::ostringstream text;
-  text.precision(4);
-  text << "hardly anything of the two lies within " << curve.scores.back().distance
-       << " of the other: check that they are of the same plant"
-       << (isRegistered ? "" : " and in the same frame, or let the plant be registered");
-  return text.str();
+std::optional<ShownMessage> warningOfDistance(const ToleranceCurve& curve, bool isRegistered) {
+  if (curve.scores.empty() || curve.scores.back().f() >= 0.1) return std::nullopt;
+  const char* text =
+      isRegistered
+          ? Shown::tr("hardly anything of the two lies within %1 of the other: check that they are "
+                      "of the same plant")
+          : Shown::tr("hardly anything of the two lies within %1 of the other: check that they are "
+                      "of the same plant and in the same frame, or let the plant be registered");
+  return ShownMessage{text, {inDigits(curve.scores.back().distance, 4)}};
 }
 
 } // namespace espalier

@@ -34,14 +34,11 @@ PlantMeasures plantMeasures(const Skeleton& plant, const PlantMeasureOptions& op
   const StemDiameter stem = stemOfPlant(upright, options.breastHeight);
   measures.stemDiameter = stem.value;
   measures.stemMissing = stem.missing;
-  if (const std::string trees = warningOfTrees(measures.traits); !trees.empty())
-    measures.warnings.push_back(trees);
+  if (const auto ofTrees = warningOfTrees(measures.traits)) measures.warnings.push_back(*ofTrees);
   if (options.light) {
     measures.light =
         lightOn(upright, *options.light, progress.part(0, 1, Shown::tr("Measuring light")));
-    if (!measures.light)
-      measures.warnings.emplace_back(
-          "the plant has no radii: its light is left out; estimate radii first");
+    if (!measures.light) measures.warnings.push_back(warningOfNoRadii(ComparedAs::plant));
   }
   progress.update(1);
   return measures;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/shown_message.h"
 #include "core/evaluate/light/light_interception.h"
 #include "core/evaluate/traits/traits.h"
 #include "core/evaluate/traits/wood_amounts.h"
@@ -42,7 +43,7 @@ struct PlantMeasures {
   std::optional<double> stemDiameter;     // at breast height [L]; none: see below
   std::string stemMissing;                // why there is none; empty: there is one
   std::optional<LightInterception> light; // none if not asked for, or if no node has a radius
-  std::vector<std::string> warnings;      // a line each: what makes the numbers doubtful
+  std::vector<ShownMessage> warnings;     // a line each: what makes the numbers doubtful
 };
 
 /// Measures one plant, as compare() measures each of two.

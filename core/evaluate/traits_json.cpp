@@ -141,7 +141,7 @@ nlohmann::ordered_json toJson(const PlantMeasures& measures) {
           {"wood", std::move(wood)},
           {"biomass", biomassJson(measures)},
           {"light", measures.light ? toJson(*measures.light) : Json()},
-          {"warnings", measures.warnings}};
+          {"warnings", eachInEnglish(measures.warnings)}};
 }
 
 std::vector<std::vector<std::string>> tableOf(const nlohmann::ordered_json& json) {

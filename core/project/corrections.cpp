@@ -69,7 +69,7 @@ Changes changesOf(const SkeletonDelta& delta) {
 /// The nodes that a step drew, where they are one branch. Those that it put into an edge are none
 /// of it: they have a child that was there before.
 std::vector<NodeId> drawnBy(const SkeletonDelta& delta) {
-  if (countRemoved(delta) > 0) return {};
+  if (countAdded(delta) == 0 || countRemoved(delta) > 0) return {};
   std::set<NodeId> drawn;
   for (const SkeletonDelta::Change& change : delta.changes)
     if (!change.before) drawn.insert(change.id);
@@ -85,10 +85,14 @@ std::vector<NodeId> drawnBy(const SkeletonDelta& delta) {
 
 /// The only node that a step attached elsewhere.
 std::optional<NodeId> attachedBy(const SkeletonDelta& delta) {
+  const auto hasOtherParent = [](const SkeletonDelta::Change& change) {
+    return change.before && change.after && change.before->parent != change.after->parent;
+  };
+  if (std::ranges::none_of(delta.changes, hasOtherParent)) return std::nullopt;
   const Changes changes = changesOf(delta);
   std::optional<NodeId> attached;
   for (const SkeletonDelta::Change& change : delta.changes) {
-    if (!change.before || !change.after || !isReparented(change, changes)) continue;
+    if (!hasOtherParent(change) || !isReparented(change, changes)) continue;
     if (attached) return std::nullopt;
     attached = change.id;
   }

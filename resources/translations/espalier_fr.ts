@@ -12734,6 +12734,66 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <source>as the open scan</source>
         <translation>comme le scan ouvert</translation>
     </message>
+    <message>
+        <source>the plant lay %1 off the reference: it was turned by %2 degrees about %3 and moved by %4 to lie on it</source>
+        <translation>la plante était à %1 de la référence&#xa0;: elle a été tournée de %2 degrés autour de %3 et déplacée de %4 pour s’y superposer</translation>
+    </message>
+    <message>
+        <source>the plant lay %1 off the reference: it was moved by %2 to lie on it</source>
+        <translation>la plante était à %1 de la référence&#xa0;: elle a été déplacée de %2 pour s’y superposer</translation>
+    </message>
+    <message>
+        <source>the edit distance of %1 and %2 parts would take too long and is left out: compare segments or axes</source>
+        <translation>la distance d’édition de %1 et %2 parties prendrait trop de temps et n’est pas calculée&#xa0;: comparez des segments ou des axes</translation>
+    </message>
+    <message>
+        <source>the plant is of %1 separate trees, compared as one plant: keep one of them if they are not</source>
+        <translation>la plante est faite de %1 arbres séparés, comparés comme une seule plante&#xa0;: n’en gardez qu’un s’ils n’en sont pas une</translation>
+    </message>
+    <message>
+        <source>the reference is of %1 separate trees, compared as one plant: keep one of them if they are not</source>
+        <translation>la référence est faite de %1 arbres séparés, comparés comme une seule plante&#xa0;: n’en gardez qu’un s’ils n’en sont pas une</translation>
+    </message>
+    <message>
+        <source>the plant is of %1 separate trees, measured as one plant: keep one of them if they are not</source>
+        <translation>la plante est faite de %1 arbres séparés, mesurés comme une seule plante&#xa0;: n’en gardez qu’un s’ils n’en sont pas une</translation>
+    </message>
+    <message>
+        <source>the plant has no radii: its light is left out; estimate radii first</source>
+        <translation>la plante n’a pas de rayons&#xa0;: sa lumière n’est pas calculée&#xa0;; estimez d’abord les rayons</translation>
+    </message>
+    <message>
+        <source>the reference has no radii: its light is left out; estimate radii first</source>
+        <translation>la référence n’a pas de rayons&#xa0;: sa lumière n’est pas calculée&#xa0;; estimez d’abord les rayons</translation>
+    </message>
+    <message>
+        <source>the plant is %1 times as large as the reference: check that both are in the same unit and of the same plant</source>
+        <translation>la plante est %1 fois plus grande que la référence&#xa0;: vérifiez que les deux ont la même unité et sont de la même plante</translation>
+    </message>
+    <message>
+        <source>the plant is %1 times as small as the reference: check that both are in the same unit and of the same plant</source>
+        <translation>la plante est %1 fois plus petite que la référence&#xa0;: vérifiez que les deux ont la même unité et sont de la même plante</translation>
+    </message>
+    <message>
+        <source>the plant is %1 times as large as the reference: it seems to be in %2, the reference in %3; scale the plant by %4</source>
+        <translation>la plante est %1 fois plus grande que la référence&#xa0;: elle semble être en %2, la référence en %3&#xa0;; multipliez la plante par %4</translation>
+    </message>
+    <message>
+        <source>the plant is %1 times as small as the reference: it seems to be in %2, the reference in %3; scale the plant by %4</source>
+        <translation>la plante est %1 fois plus petite que la référence&#xa0;: elle semble être en %2, la référence en %3&#xa0;; multipliez la plante par %4</translation>
+    </message>
+    <message>
+        <source>the two fit poorly: laid on each other, %1 % of their length lies within %2 of the other, an eighth of a mean segment: check that they are of the same plant</source>
+        <translation>les deux s’accordent mal&#xa0;: superposés, %1 % de leur longueur est à moins de %2 de l’autre, un huitième d’un segment moyen&#xa0;: vérifiez qu’ils sont de la même plante</translation>
+    </message>
+    <message>
+        <source>hardly anything of the two lies within %1 of the other: check that they are of the same plant</source>
+        <translation>presque rien de l’un n’est à moins de %1 de l’autre&#xa0;: vérifiez qu’ils sont de la même plante</translation>
+    </message>
+    <message>
+        <source>hardly anything of the two lies within %1 of the other: check that they are of the same plant and in the same frame, or let the plant be registered</source>
+        <translation>presque rien de l’un n’est à moins de %1 de l’autre&#xa0;: vérifiez qu’ils sont de la même plante et dans le même repère, ou laissez superposer la plante</translation>
+    </message>
 </context>
 <context>
     <name>espalier::ShownFlow</name>

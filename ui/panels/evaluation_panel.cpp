@@ -2,6 +2,7 @@
 
 #include "ui/document/number_box.h"
 #include "ui/document/plant_document.h"
+#include "ui/document/shown_message.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/evaluation_scores.h"
 #include "ui/panels/label_role.h"
@@ -155,8 +156,8 @@ void EvaluationPanel::showScores(const Evaluation& evaluation) {
 /// What makes the numbers doubtful is read above them; a small shift only is a remark.
 void EvaluationPanel::refreshPlace(const Evaluation& evaluation) {
   QStringList lines;
-  for (const std::string& warning : evaluation.comparison.warnings)
-    lines.append(QString::fromStdString(warning));
+  for (const ShownMessage& warning : evaluation.comparison.warnings)
+    lines.append(shownText(warning));
   shift_->clear();
   shift_->setToolTip({});
   warnings_->setToolTip({});

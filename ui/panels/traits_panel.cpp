@@ -1,6 +1,7 @@
 #include "ui/panels/traits_panel.h"
 
 #include "ui/document/plant_document.h"
+#include "ui/document/shown_message.h"
 #include "ui/document/shown_text.h"
 #include "ui/panels/label_role.h"
 #include "ui/panels/panel_button.h"
@@ -115,8 +116,8 @@ void TraitsPanel::show(const PlantMeasures& measures, bool isLightStale) {
   area_->setWidget(makePage(measures, isLightStale)); // the one before is deleted
   area_->show();
   QStringList lines;
-  for (const std::string& warning : measures.warnings)
-    lines.append(QStringLiteral("⚠ ") + QString::fromStdString(warning));
+  for (const ShownMessage& warning : measures.warnings)
+    lines.append(QStringLiteral("⚠ ") + shownText(warning));
   warnings_->setText(lines.join('\n'));
   warnings_->setVisible(!lines.isEmpty());
 }

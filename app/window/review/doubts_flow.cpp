@@ -195,7 +195,7 @@ void DoubtsFlow::refresh() {
 void DoubtsFlow::list() {
   const double spacing = parts_.document.scale().spacing;
   const Skeleton& skeleton = parts_.document.skeleton();
-  if (!found_.empty()) byHand_ = madeByHand(parts_.document);
+  if (ratings_) byHand_ = madeByHand(parts_.document);
   std::vector<Doubt> left;
   std::vector<Doubt> ignored;
   for (const Doubt& doubt : found_) {

@@ -136,7 +136,7 @@ TEST(Comparison, LeavesEditsOutThatWouldTakeTooLong) {
   const Comparison comparison = compare(test::stick(5001), test::stick(5001),
                                         {.registers = false, .edit = {.unit = EditUnit::node}});
   EXPECT_FALSE(comparison.edit);
-  EXPECT_THAT(comparison.warnings, ElementsAre(HasSubstr("5001 and 5001 parts")));
+  EXPECT_THAT(eachInEnglish(comparison.warnings), ElementsAre(HasSubstr("5001 and 5001 parts")));
 }
 
 TEST(Comparison, MeasuresAfterRegistrationUnlessAskedNotTo) {
@@ -145,7 +145,7 @@ TEST(Comparison, MeasuresAfterRegistrationUnlessAskedNotTo) {
   const Comparison registered = compare(result, bush);
   EXPECT_NEAR(registered.tolerance.scores[0].f(), 1, 1e-3);
   EXPECT_EQ(registered.tips.f(), 1);
-  EXPECT_THAT(registered.warnings,
+  EXPECT_THAT(eachInEnglish(registered.warnings),
               ElementsAre(HasSubstr("moved by (-0.5, -0.5, -0.5) to lie on it")));
   const Comparison asIs = compare(result, bush, {.registers = false});
   EXPECT_FALSE(asIs.registration);
@@ -154,26 +154,28 @@ TEST(Comparison, MeasuresAfterRegistrationUnlessAskedNotTo) {
 
 TEST(Comparison, SaysSoWhereUnitsSeemToDiffer) {
   const Comparison larger = compare(test::scaled(test::bush(), 1000), test::bush());
-  EXPECT_THAT(larger.warnings, testing::Contains(HasSubstr(
-                                   "1000 times as large as the reference: it seems to be in mm, "
-                                   "the reference in m; scale the plant by 0.001")));
+  EXPECT_THAT(
+      eachInEnglish(larger.warnings),
+      testing::Contains(HasSubstr("1000 times as large as the reference: it seems to be in mm, "
+                                  "the reference in m; scale the plant by 0.001")));
   const Comparison smaller = compare(test::bush(), test::scaled(test::bush(), 100));
-  EXPECT_THAT(smaller.warnings, testing::Contains(HasSubstr("100 times as small")));
+  EXPECT_THAT(eachInEnglish(smaller.warnings), testing::Contains(HasSubstr("100 times as small")));
   const Comparison other = compare(test::scaled(test::bush(), 30), test::bush());
-  EXPECT_THAT(other.warnings, testing::Contains(HasSubstr("check that both are in the same unit")));
+  EXPECT_THAT(eachInEnglish(other.warnings),
+              testing::Contains(HasSubstr("check that both are in the same unit")));
   const Comparison near = compare(test::scaled(test::bush(), 4), test::bush());
-  for (const std::string& warning : near.warnings)
+  for (const std::string& warning : eachInEnglish(near.warnings))
     EXPECT_THAT(warning, testing::Not(HasSubstr("times as")));
 }
 
 TEST(Comparison, SaysSoWhereTheTwoDoNotMeetOrAreSeveral) {
   const Skeleton far = test::shifted(test::fork(3), {500, 0, 0});
-  EXPECT_THAT(compare(far, test::fork(3), {.registers = false}).warnings,
+  EXPECT_THAT(eachInEnglish(compare(far, test::fork(3), {.registers = false}).warnings),
               ElementsAre(HasSubstr("hardly anything of the two lies within")));
   Skeleton two = test::fork(3);
   const NodeId second = two.add({.position = {5, 0, 0}});
   two.add({.position = {5, 0, 1}, .parent = second});
-  EXPECT_THAT(compare(test::fork(3), two, {.registers = false}).warnings,
+  EXPECT_THAT(eachInEnglish(compare(test::fork(3), two, {.registers = false}).warnings),
               ElementsAre(HasSubstr("the reference is of 2 separate trees")));
 }
 
@@ -307,7 +309,7 @@ TEST(Comparison, FindsTheKnownLandmarksOfTheAuthorsAutomaticResult) {
   EXPECT_NEAR(comparison.tips.recall(), 0.766, 0.01);
   EXPECT_NEAR(comparison.branchings.precision(), 0.568, 0.01);
   EXPECT_NEAR(comparison.branchings.recall(), 0.764, 0.01);
-  EXPECT_THAT(comparison.warnings, ElementsAre(HasSubstr("49.4")));
+  EXPECT_THAT(eachInEnglish(comparison.warnings), ElementsAre(HasSubstr("49.4")));
 }
 
 } // namespace

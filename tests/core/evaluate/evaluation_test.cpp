@@ -64,7 +64,7 @@ TEST(Evaluation, TurnsTheReferenceOntoTheResultUnlessRefused) {
   EXPECT_EQ(refused.registration->angle(), 0);
   ASSERT_EQ(refused.comparison.warnings.size(), 1U);
   EXPECT_LT(refused.registration->near, poorFit);
-  EXPECT_NE(refused.comparison.warnings[0].find("fit poorly"), std::string::npos);
+  EXPECT_NE(inEnglish(refused.comparison.warnings[0]).find("fit poorly"), std::string::npos);
   EXPECT_FALSE(evaluate(bush, turned, {.registers = false}).registration);
 }
 

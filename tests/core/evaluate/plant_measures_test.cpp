@@ -88,7 +88,7 @@ TEST(PlantMeasures, LeaveOutWhatThereIsNot) {
   const PlantMeasures ofThin = plantMeasures(thin, {.light = someLight});
   EXPECT_FALSE(ofThin.light);
   ASSERT_EQ(ofThin.warnings.size(), 1U);
-  EXPECT_THAT(ofThin.warnings.front(), testing::HasSubstr("no radii"));
+  EXPECT_THAT(inEnglish(ofThin.warnings.front()), testing::HasSubstr("no radii"));
 }
 
 // Turned by a right hand's turn from the axis that is up to z, all but the box is as before.
@@ -117,7 +117,8 @@ TEST(PlantMeasures, WarnOfSeveralTrees) {
   two.add({.position = {3, 0, 1}, .parent = foot});
   const PlantMeasures measures = plantMeasures(two);
   ASSERT_EQ(measures.warnings.size(), 1U);
-  EXPECT_THAT(measures.warnings.front(), testing::HasSubstr("2 separate trees, measured as one"));
+  EXPECT_THAT(inEnglish(measures.warnings.front()),
+              testing::HasSubstr("2 separate trees, measured as one"));
 }
 
 TEST(PlantMeasures, RefuseWhatHasNoSizeAndStopOnDemand) {

@@ -76,7 +76,7 @@ void writeAndReport(const std::string& path, const Structure& structure, MtgStyl
     const std::size_t vertices = structure.frame->mtg.vertices.size();
     printWritten(path + ": " + std::to_string(vertices) +
                  (vertices == 1 ? " vertex" : " vertices") + " without positions");
-    return printNotes(droppedBy(format, structure));
+    return printNotes(eachInEnglish(droppedBy(format, structure)));
   }
   double total = 0;
   for (const Axis& axis : axes(structure.skeleton))
@@ -86,7 +86,7 @@ void writeAndReport(const std::string& path, const Structure& structure, MtgStyl
   text << path << ": " << counted(structure.skeleton.size(), "node") << ", length " << total
        << (unit.empty() ? "" : " ") << unit;
   printWritten(text.str());
-  printNotes(droppedBy(format, structure.skeleton));
+  printNotes(eachInEnglish(droppedBy(format, structure.skeleton)));
 }
 
 void writeAndReport(const std::string& path, const PointCloud& cloud,

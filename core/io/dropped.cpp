@@ -63,37 +63,45 @@ Contents contentsOf(const Mtg& mtg) {
   return contents;
 }
 
-std::vector<std::string> droppedBy(const Format& format, const Contents& contents) {
-  std::vector<std::string> sentences;
-  const auto check = [&](bool isThere, bool isCarried, const char* what) {
-    if (isThere && !isCarried) sentences.push_back(std::string(format.name) + " keeps " + what);
+std::vector<ShownMessage> droppedBy(const Format& format, const Contents& contents) {
+  std::vector<ShownMessage> sentences;
+  const auto check = [&](bool isThere, bool isCarried, const char* sentence) {
+    if (isThere && !isCarried) sentences.push_back({sentence, {std::string(format.name)}});
   };
   const Carried& carried = format.carried;
-  check(contents.radii, carried.radii, "no radii: how thick the nodes are is not written");
+  check(contents.radii, carried.radii,
+        Shown::tr("%1 keeps no radii: how thick the nodes are is not written"));
   check(contents.edgeTypes, carried.edgeTypes,
-        "no edge types: which child continues an axis is not written");
-  check(contents.severalTrees, carried.severalTrees, "one tree only: the others are not written");
+        Shown::tr("%1 keeps no edge types: which child continues an axis is not written"));
+  check(contents.severalTrees, carried.severalTrees,
+        Shown::tr("%1 keeps one tree only: the others are not written"));
   check(contents.entities, carried.entities,
-        "no classes or scales: units and axes that the nodes belong to are not written");
-  check(contents.labels, carried.labels, "no labels: indices and aliases are not written");
+        Shown::tr("%1 keeps no classes or scales: units and axes that the nodes belong to are not "
+                  "written"));
+  check(contents.labels, carried.labels,
+        Shown::tr("%1 keeps no labels: indices and aliases are not written"));
   check(contents.features, carried.features,
-        "no features: values beside position and radius are not written");
-  check(contents.dates, carried.dates, "one date only: values at later dates are not written");
+        Shown::tr("%1 keeps no features: values beside position and radius are not written"));
+  check(contents.dates, carried.dates,
+        Shown::tr("%1 keeps one date only: values at later dates are not written"));
   check(contents.review, false,
-        "no review: marks and comments are not written; only a project keeps them");
+        Shown::tr("%1 keeps no review: marks, comments and signatures are not written; only a "
+                  "project keeps "
+                  "them"));
   check(contents.unitStarts, false,
-        "no marks of unit starts: they are not written; only a project keeps them");
+        Shown::tr("%1 keeps no marks of unit starts: they are not written; only a project keeps "
+                  "them"));
   return sentences;
 }
 
 } // namespace
 
-std::vector<std::string> droppedBy(const Format& format, const Skeleton& skeleton) {
+std::vector<ShownMessage> droppedBy(const Format& format, const Skeleton& skeleton) {
   assert(format.content == Content::structure);
   return droppedBy(format, contentsOf(skeleton));
 }
 
-std::vector<std::string> droppedBy(const Format& format, const Structure& structure) {
+std::vector<ShownMessage> droppedBy(const Format& format, const Structure& structure) {
   if (!isWithoutPositions(structure)) return droppedBy(format, structure.skeleton);
   return droppedBy(format, contentsOf(structure.frame->mtg));
 }

@@ -384,8 +384,8 @@ void FileFlow::writeTo(const Target& target) {
 QStringList FileFlow::droppedBySavingTo(const QString& path) const {
   QStringList sentences;
   const Format& format = formatToWrite(toPath(path), Content::structure);
-  for (const std::string& sentence : droppedBy(format, parts_.document.structure()))
-    sentences.append(QString::fromStdString(sentence));
+  for (const ShownMessage& sentence : droppedBy(format, parts_.document.structure()))
+    sentences.append(shownText(sentence));
   return sentences;
 }
 

@@ -33,13 +33,13 @@ Skeleton oneWithEverything() {
 
 TEST(DroppedBy, IsNothingWhereAllIsKept) {
   const Format format{.name = "X", .content = Content::structure, .carried = everything};
-  EXPECT_THAT(droppedBy(format, oneWithEverything()), IsEmpty());
+  EXPECT_THAT(eachInEnglish(droppedBy(format, oneWithEverything())), IsEmpty());
 }
 
 TEST(DroppedBy, ListsEachThingThatIsThereAndNotKept) {
   const Format format{.name = "X", .content = Content::structure};
   EXPECT_THAT(
-      droppedBy(format, oneWithEverything()),
+      eachInEnglish(droppedBy(format, oneWithEverything())),
       ElementsAre("X keeps no radii: how thick the nodes are is not written",
                   "X keeps no edge types: which child continues an axis is not written",
                   "X keeps one tree only: the others are not written",
@@ -53,34 +53,39 @@ TEST(DroppedBy, ListsEachThingThatIsThereAndNotKept) {
 TEST(DroppedBy, SaysNothingOfWhatIsNotThere) {
   Skeleton bare;
   bare.add({.position = {0, 0, 1}, .parent = bare.add({})});
-  EXPECT_THAT(droppedBy({.name = "X", .content = Content::structure}, bare), IsEmpty());
+  EXPECT_THAT(eachInEnglish(droppedBy({.name = "X", .content = Content::structure}, bare)),
+              IsEmpty());
 }
 
 TEST(DroppedBy, SaysThatOnlyAProjectKeepsReviewAndUnitStarts) {
   Skeleton plant = test::stick(4);
   plant.setReview(NodeId{1}, {.state = ReviewState::doubtful, .reviewer = "Ada"});
-  EXPECT_THAT(droppedBy(named("MTG"), plant),
-              ElementsAre("MTG keeps no review: marks and comments are not written; only a project "
-                          "keeps them"));
+  EXPECT_THAT(
+      eachInEnglish(droppedBy(named("MTG"), plant)),
+      ElementsAre(
+          "MTG keeps no review: marks, comments and signatures are not written; only a project "
+          "keeps them"));
   plant.setReview(NodeId{1}, {});
   plant.setReview(NodeId{2}, {.comment = "a spur?"});
   plant.setMarked(NodeId{3}, true);
-  EXPECT_THAT(droppedBy(named("MTG"), plant),
-              ElementsAre("MTG keeps no review: marks and comments are not written; only a project "
-                          "keeps them",
-                          "MTG keeps no marks of unit starts: they are not written; only a project "
-                          "keeps them"));
+  EXPECT_THAT(
+      eachInEnglish(droppedBy(named("MTG"), plant)),
+      ElementsAre(
+          "MTG keeps no review: marks, comments and signatures are not written; only a project "
+          "keeps them",
+          "MTG keeps no marks of unit starts: they are not written; only a project "
+          "keeps them"));
 }
 
 TEST(DroppedBy, SaysThatSwcLosesEdgeTypes) {
-  EXPECT_THAT(droppedBy(named("SWC"), test::fork(2)),
+  EXPECT_THAT(eachInEnglish(droppedBy(named("SWC"), test::fork(2))),
               ElementsAre("SWC keeps no edge types: which child continues an axis is not written"));
-  EXPECT_THAT(droppedBy(named("SWC"), test::stick(4)), IsEmpty());
+  EXPECT_THAT(eachInEnglish(droppedBy(named("SWC"), test::stick(4))), IsEmpty());
 }
 
 TEST(DroppedBy, SaysNothingOfAPlantInTheFormatsOfTheEditor) {
-  EXPECT_THAT(droppedBy(named("MTG"), test::randomPlant(20, 1)), IsEmpty());
-  EXPECT_THAT(droppedBy(named("node list"), test::randomPlant(20, 1)), IsEmpty());
+  EXPECT_THAT(eachInEnglish(droppedBy(named("MTG"), test::randomPlant(20, 1))), IsEmpty());
+  EXPECT_THAT(eachInEnglish(droppedBy(named("node list"), test::randomPlant(20, 1))), IsEmpty());
 }
 
 } // namespace

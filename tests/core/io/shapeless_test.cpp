@@ -89,7 +89,8 @@ TEST_F(Shapeless, IsWrittenAsOpfWithItsScalesEdgesAndFeatures) {
     EXPECT_EQ(read[i].values, expected[i].values);
   }
   const Format& opf = formatToWrite("plant.opf", Content::structure);
-  EXPECT_THAT(droppedBy(opf, plant), testing::ElementsAre(testing::HasSubstr("keeps no labels")));
+  EXPECT_THAT(eachInEnglish(droppedBy(opf, plant)),
+              testing::ElementsAre(testing::HasSubstr("keeps no labels")));
 }
 
 // What is drawn into it is kept beside what was there.

@@ -964,6 +964,10 @@
         <source>%1 nodes</source>
         <translation>%1 nœuds</translation>
     </message>
+    <message>
+        <source>the points around %1 show no circles: move them by hand</source>
+        <translation>les points autour de %1 ne montrent pas de cercles&#xa0;: déplacez-les à la main</translation>
+    </message>
 </context>
 <context>
     <name>NodeTable</name>
@@ -4546,6 +4550,26 @@
     <message>
         <source>Attach node %1 as %2</source>
         <translation>Rattacher le nœud %1 comme dans %2</translation>
+    </message>
+    <message>
+        <source>adds it</source>
+        <translation>l’ajoute</translation>
+    </message>
+    <message>
+        <source>removes it</source>
+        <translation>l’enlève</translation>
+    </message>
+    <message>
+        <source>attaches it so</source>
+        <translation>l’attache ainsi</translation>
+    </message>
+    <message>
+        <source>lists it again</source>
+        <translation>l’affiche à nouveau</translation>
+    </message>
+    <message>
+        <source>ignores it</source>
+        <translation>l’ignore</translation>
     </message>
 </context>
 <context>
@@ -12793,6 +12817,42 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>hardly anything of the two lies within %1 of the other: check that they are of the same plant and in the same frame, or let the plant be registered</source>
         <translation>presque rien de l’un n’est à moins de %1 de l’autre&#xa0;: vérifiez qu’ils sont de la même plante et dans le même repère, ou laissez superposer la plante</translation>
+    </message>
+    <message>
+        <source>%1 keeps no radii: how thick the nodes are is not written</source>
+        <translation>%1 ne garde pas les rayons&#xa0;: l’épaisseur des nœuds n’est pas écrite</translation>
+    </message>
+    <message>
+        <source>%1 keeps no edge types: which child continues an axis is not written</source>
+        <translation>%1 ne garde pas les types d’arêtes&#xa0;: l’enfant qui continue un axe n’est pas écrit</translation>
+    </message>
+    <message>
+        <source>%1 keeps one tree only: the others are not written</source>
+        <translation>%1 ne garde qu’un arbre&#xa0;: les autres ne sont pas écrits</translation>
+    </message>
+    <message>
+        <source>%1 keeps no classes or scales: units and axes that the nodes belong to are not written</source>
+        <translation>%1 ne garde ni classes ni échelles&#xa0;: les unités et axes des nœuds ne sont pas écrits</translation>
+    </message>
+    <message>
+        <source>%1 keeps no labels: indices and aliases are not written</source>
+        <translation>%1 ne garde pas les étiquettes&#xa0;: indices et alias ne sont pas écrits</translation>
+    </message>
+    <message>
+        <source>%1 keeps no features: values beside position and radius are not written</source>
+        <translation>%1 ne garde pas les attributs&#xa0;: les valeurs autres que position et rayon ne sont pas écrites</translation>
+    </message>
+    <message>
+        <source>%1 keeps one date only: values at later dates are not written</source>
+        <translation>%1 ne garde qu’une date&#xa0;: les valeurs des dates suivantes ne sont pas écrites</translation>
+    </message>
+    <message>
+        <source>%1 keeps no marks of unit starts: they are not written; only a project keeps them</source>
+        <translation>%1 ne garde pas les marques de début d’unité&#xa0;: elles ne sont pas écrites&#xa0;; seul un projet les garde</translation>
+    </message>
+    <message>
+        <source>%1 keeps no review: marks, comments and signatures are not written; only a project keeps them</source>
+        <translation>%1 ne garde pas la révision&#xa0;: marques, commentaires et signatures ne sont pas écrits&#xa0;; seul un projet les garde</translation>
     </message>
 </context>
 <context>

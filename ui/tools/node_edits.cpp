@@ -188,7 +188,9 @@ void center(PlantDocument& document, const NodeTarget& target) {
     moveNode(editor, id, *place);
   });
   if (!isFound)
-    throw Error(NodeEditText::tr("the points around %1 show no circle: move it by hand")
+    throw Error((target.nodes.size() == 1
+                     ? NodeEditText::tr("the points around %1 show no circle: move it by hand")
+                     : NodeEditText::tr("the points around %1 show no circles: move them by hand"))
                     .arg(nodeNames(target.nodes))
                     .toStdString());
 }

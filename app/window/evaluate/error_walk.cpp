@@ -2,6 +2,7 @@
 
 #include "app/window/edit/editing.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/frame/key_hints.h"
 #include "core/base/error.h"
 #include "core/evaluate/differences/accept_reference.h"
 #include "core/evaluate/differences/reference_path.h"
@@ -30,6 +31,21 @@ QString acceptText(const std::optional<DifferingPart>& part) {
     return ErrorWalk::tr("Remove from Plant");
   case Difference::wronglyAttached:
     return ErrorWalk::tr("Attach as Reference");
+  case Difference::matched:
+    break;
+  }
+  return {};
+}
+
+/// The same after its key.
+QString acceptHint(Difference kind) {
+  switch (kind) {
+  case Difference::missed:
+    return ErrorWalk::tr("adds it");
+  case Difference::invented:
+    return ErrorWalk::tr("removes it");
+  case Difference::wronglyAttached:
+    return ErrorWalk::tr("attaches it so");
   case Difference::matched:
     break;
   }
@@ -199,6 +215,13 @@ void ErrorWalk::goTo(const DifferingPart& part) {
   sight.nodes = parts_.document.selection().nodes();
   sight.margin = std::max(0.5 * box.diagonal().norm(), 2 * meanEdgeLength(evaluation_->reference));
   parts_.view.flyTo(parts_.view.cameraToSee(sight), focusOn(parts_.document.skeleton(), sight));
+  const QString what =
+      QStringLiteral("%1, %2: ")
+          .arg(titleOf(part.kind), formatLength(part.length, parts_.document.unit(), 3));
+  emit noted(what + withKeys(QStringLiteral("{accept_reference} %1   {ignore_error} %2")
+                                 .arg(acceptHint(part.kind),
+                                      isIgnored(part) ? tr("lists it again") : tr("ignores it")),
+                             parts_.actions));
 }
 
 DifferingPart ErrorWalk::chosen() const {

@@ -195,6 +195,9 @@ TEST_F(EvaluationWindowTest, KeysGoFromErrorToErrorTheLongestFirst) {
   EXPECT_EQ(list().currentItem(), list().topLevelItem(0));
   EXPECT_TRUE(document().selection().isEmpty()) << "it is of the reference";
   EXPECT_EQ(action("accept_reference").text(), "Add to Plant");
+  const QString said = window().statusLine().shownText();
+  EXPECT_TRUE(said.startsWith("Missed, ")) << said.toStdString();
+  EXPECT_TRUE(said.endsWith(": Ctrl+Enter adds it   Ctrl+F3 ignores it")) << said.toStdString();
   waitForView();
   const auto end = view().project({std::cos(4 * M_PI / 3), std::sin(4 * M_PI / 3), 2});
   ASSERT_TRUE(end);
@@ -203,6 +206,7 @@ TEST_F(EvaluationWindowTest, KeysGoFromErrorToErrorTheLongestFirst) {
   EXPECT_EQ(list().currentItem(), list().topLevelItem(1));
   EXPECT_EQ(document().selection().nodes().size(), 1U);
   EXPECT_EQ(action("accept_reference").text(), "Remove from Plant");
+  EXPECT_TRUE(window().statusLine().shownText().contains("Ctrl+Enter removes it"));
   key(Qt::Key_F3);
   EXPECT_EQ(list().currentItem(), list().topLevelItem(0)) << "after the last comes the first";
   key(Qt::Key_F3, Qt::ShiftModifier);

@@ -365,14 +365,6 @@ TEST_F(ReviewWindowTest, AReviewedNodeThatIsDraggedIsToDoAgainUntilUndo) {
   EXPECT_EQ(markOf(id).state, ReviewState::reviewed);
 }
 
-TEST_F(ReviewWindowTest, AMarkOnNothingIsRefusedInWords) {
-  openFork();
-  key(Qt::Key_F9);
-  key(Qt::Key_Return);
-  EXPECT_EQ(document().undoStack().count(), 0);
-  EXPECT_TRUE(find<QWidget>("message_banner").isVisible());
-}
-
 TEST_F(ReviewWindowTest, ThePanelListsAxesAndItsButtonsDoAsTheKeys) {
   openFork();
   key(Qt::Key_F9);

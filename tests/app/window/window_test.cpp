@@ -149,7 +149,7 @@ TEST_F(MainWindowTest, SaysWhatAStepNotes) {
   std::ofstream scan(path("crowds.xyz").toStdString());
   for (int i = 0; i < 9; ++i)
     scan << "0 0 0\n0 0 3\n";
-  scan << "100 0 0\n100 0 0.1\n";
+  scan << "30 0 0\n30 0 0.1\n";
   scan.close();
   open({path("crowds.xyz")});
   action("preset_thesis").trigger();

@@ -4560,16 +4560,16 @@
         <translation>l’enlève</translation>
     </message>
     <message>
-        <source>attaches it so</source>
-        <translation>l’attache ainsi</translation>
-    </message>
-    <message>
         <source>lists it again</source>
         <translation>l’affiche à nouveau</translation>
     </message>
     <message>
         <source>ignores it</source>
         <translation>l’ignore</translation>
+    </message>
+    <message>
+        <source>attaches it as the reference does</source>
+        <translation>l’attache comme la référence</translation>
     </message>
 </context>
 <context>

@@ -45,7 +45,7 @@ QString acceptHint(Difference kind) {
   case Difference::invented:
     return ErrorWalk::tr("removes it");
   case Difference::wronglyAttached:
-    return ErrorWalk::tr("attaches it so");
+    return ErrorWalk::tr("attaches it as the reference does");
   case Difference::matched:
     break;
   }

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <ranges>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -24,8 +24,8 @@ struct Aside {
 /// By how much wood of a given radius is to be moved so that points lie on its surface.
 class Fit {
 public:
-  Fit(std::vector<Aside> points, const Eigen::Vector3d& along, double width)
-      : points_(std::move(points)), along_(along), width_(width) {}
+  Fit(std::vector<Aside> points, Eigen::Vector3d along, double width)
+      : points_(std::move(points)), along_(std::move(along)), width_(width) {}
 
   /// Least squares, in which far points count less.
   [[nodiscard]] Eigen::Vector3d shift() const {
@@ -75,8 +75,8 @@ private:
 /// points is no longer nearest to them: they are compared with what is as far along.
 class Course {
 public:
-  Course(const Skeleton& skeleton, const std::vector<NodeId>& run, const Eigen::Vector3d& along)
-      : along_(along) {
+  Course(const Skeleton& skeleton, const std::vector<NodeId>& run, Eigen::Vector3d along)
+      : along_(std::move(along)) {
     for (std::size_t i = 1; i < run.size(); ++i) {
       bodies_.push_back(*frustumOf(skeleton, run[i]));
       const double height = heightOf(bodies_.back().to);
@@ -135,8 +135,8 @@ public:
     const double height = course.heightOf(skeleton_[id].position);
     std::vector<Aside> points;
     const double farthest = 3 * std::max(radius, 4 * spacing_);
-    for (const NodeId edge : run | std::views::drop(1))
-      for (const Eigen::Index point : pointsOf_[indexOf(edge)]) {
+    for (std::size_t i = 1; i < run.size(); ++i)
+      for (const Eigen::Index point : pointsOf_[indexOf(run[i])]) {
         const Eigen::Vector3d place = distances_.cloud()->position(point);
         if (std::abs(course.heightOf(place) - height) > reach) continue;
         const std::optional<Aside> aside = course.asideOf(place);

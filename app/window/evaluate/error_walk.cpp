@@ -90,7 +90,7 @@ QString stepText(const DifferingPart& part, const QString& length, const QString
 
 } // namespace
 
-ErrorWalk::ErrorWalk(const Parts& parts) : parts_(parts) {
+ErrorWalk::ErrorWalk(Parts parts) : parts_(std::move(parts)) {
   addActions();
   const auto at = [this](const char* id) { return parts_.actions[id]; };
   panel_ = new DifferencesPanel(parts_.document, {.previous = at("previous_error"),

@@ -35,7 +35,7 @@ public:
     Editing& editing;
     std::function<QString()> version; // that it is compared with; empty: with another structure
   };
-  explicit ErrorWalk(const Parts& parts);
+  explicit ErrorWalk(Parts parts);
 
   [[nodiscard]] DifferencesPanel* panel() const { return panel_; }
   void show(std::shared_ptr<const Evaluation> evaluation); // null: there is none

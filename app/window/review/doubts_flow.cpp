@@ -278,7 +278,7 @@ void DoubtsFlow::note(AnsweredDoubt answered, const Doubt& doubt) {
     return leavesOut(before) ? isAbout(before, doubt, near)
                              : !holds(before) && isAbout(before, doubt, 0);
   });
-  answered_.push_back(answered);
+  answered_.push_back(std::move(answered));
   learnAnew();
   keepAnswers();
 }

@@ -328,10 +328,11 @@ std::size_t SuspectsFlow::rowFrom(int by) const {
   const std::size_t one = by > 0 ? 1 : last;
   if (const auto at = panel_->current()) return (*at + one) % rows.size();
   if (!place_) return by > 0 ? 0 : last;
-  const auto alike =
-      std::ranges::equal_range(rows, place_->gain, std::ranges::greater(), &Suspect::gain);
-  const auto next = std::clamp(place_->row, static_cast<std::size_t>(alike.begin() - rows.begin()),
-                               static_cast<std::size_t>(alike.end() - rows.begin()));
+  const std::ranges::greater more;
+  const auto first = std::ranges::lower_bound(rows, place_->gain, more, &Suspect::gain);
+  const auto end = std::ranges::upper_bound(rows, place_->gain, more, &Suspect::gain);
+  const auto next = std::clamp(place_->row, static_cast<std::size_t>(first - rows.begin()),
+                               static_cast<std::size_t>(end - rows.begin()));
   return (next + (by > 0 ? 0 : last)) % rows.size();
 }
 
@@ -434,10 +435,10 @@ void SuspectsFlow::toggleIgnored() {
   const What what = *current_;
   const bool isIgnored = panel_->suspects()[*row].isIgnored();
   if (std::holds_alternative<Doubt>(what)) {
-    const Doubt& doubt = std::get<Doubt>(what);
+    const auto& doubt = std::get<Doubt>(what);
     isIgnored ? parts_.doubts.stopIgnoring(doubt) : parts_.doubts.ignore(doubt);
   } else {
-    const Finding& finding = std::get<Finding>(what);
+    const auto& finding = std::get<Finding>(what);
     isIgnored ? parts_.findings.stopIgnoring(finding) : parts_.findings.ignore(finding);
   }
   const std::size_t count = panel_->suspects().size();

@@ -5,6 +5,7 @@
 #include "ui/panels/plot_panel.h"
 
 #include <QCheckBox>
+#include <QDialog>
 #include <QDialogButtonBox>
 #include <QFile>
 #include <QLabel>

@@ -7,6 +7,7 @@
 #include "ui/panels/sweep_strip.h"
 #include "ui/view/color_bar.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QElapsedTimer>

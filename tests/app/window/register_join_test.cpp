@@ -4,6 +4,7 @@
 #include "ui/jobs/job_slot.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QMessageBox>
 
 #include <gmock/gmock.h>

@@ -6,8 +6,10 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
+#include <QTest>
 #include <QToolButton>
 
+#include <fstream>
 #include <gmock/gmock.h>
 
 namespace espalier {

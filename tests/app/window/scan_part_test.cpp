@@ -6,6 +6,7 @@
 #include "ui/panels/status_line.h"
 
 #include <QFile>
+#include <QPushButton>
 
 #include <gmock/gmock.h>
 

@@ -4,6 +4,7 @@
 #include "tests/app/window/project_fixture.h"
 
 #include <QComboBox>
+#include <QDialog>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>

@@ -2,6 +2,7 @@
 #include "app/window/edit/editing.h"
 #include "app/window/files/load_files.h"
 #include "core/io/formats.h"
+#include "core/skeleton/edits.h"
 #include "tests/app/window/window_fixture.h"
 #include "ui/panels/status_line.h"
 

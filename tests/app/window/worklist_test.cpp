@@ -7,6 +7,7 @@
 #include "ui/panels/worklist_panel.h"
 
 #include <QComboBox>
+#include <QDialog>
 #include <QDockWidget>
 #include <QFile>
 #include <QIcon>

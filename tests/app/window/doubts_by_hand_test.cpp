@@ -47,10 +47,13 @@ TEST_F(DoubtsByHandTest, NotWhatABranchGrowsFromThatWasAttached) {
   const auto other =
       std::ranges::find(asked->alternatives, Alternative::Kind::attach, &Alternative::kind);
   ASSERT_NE(other, asked->alternatives.end());
-  document().edit("Reparent",
-                  [&](SkeletonEditor& editor) { reparentNode(editor, asked->node, *other->onto); });
+  const NodeId bearer = *document().skeleton()[asked->node].parent;
+  for (const NodeId onto : {*other->onto, bearer}) // and back: the plant is as it was
+    document().edit("Reparent",
+                    [&](SkeletonEditor& editor) { reparentNode(editor, asked->node, onto); });
   ASSERT_TRUE(waitForAll());
   EXPECT_FALSE(isAskedAbout(asked->node, Doubt::Kind::attachment));
+  document().undoStack().undo();
   document().undoStack().undo();
   ASSERT_TRUE(waitForAll());
   EXPECT_TRUE(isAskedAbout(asked->node, Doubt::Kind::attachment));

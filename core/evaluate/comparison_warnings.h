@@ -11,13 +11,15 @@
 
 namespace espalier {
 
-/// As warnings have numbers.
+/// A number with so many significant digits, as warnings have them.
 [[nodiscard]] std::string inDigits(double value, int digits);
 
 // Each says in a line what makes the numbers of a comparison doubtful; none if nothing does.
 
-/// Several trees in one structure.
+/// Which of the two a warning is about.
 enum class ComparedAs : std::uint8_t { plant, reference };
+
+/// Several trees in one structure.
 [[nodiscard]] std::optional<ShownMessage> warningOfTrees(const Traits& traits, ComparedAs as);
 [[nodiscard]] std::optional<ShownMessage> warningOfTrees(const Traits& traits); // of one by itself
 

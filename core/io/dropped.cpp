@@ -86,8 +86,7 @@ std::vector<ShownMessage> droppedBy(const Format& format, const Contents& conten
         Shown::tr("%1 keeps one date only: values at later dates are not written"));
   check(contents.review, false,
         Shown::tr("%1 keeps no review: marks, comments and signatures are not written; only a "
-                  "project keeps "
-                  "them"));
+                  "project keeps them"));
   check(contents.unitStarts, false,
         Shown::tr("%1 keeps no marks of unit starts: they are not written; only a project keeps "
                   "them"));

@@ -48,12 +48,12 @@ void addSelected(std::vector<QPointF>& found, const SkeletonGlyphs& glyphs,
     const auto from = at(edge.parent);
     const auto to = at(edge.child);
     if (!from || !to) continue;
-    const Eigen::Vector2d way = to->pixel - from->pixel;
+    const Eigen::Vector2d along = to->pixel - from->pixel;
     constexpr double most = 100; // of an edge close up
-    const double steps = std::clamp(std::ceil(way.norm() / coverCell), 1.0, most);
+    const double steps = std::clamp(std::ceil(along.norm() / coverCell), 1.0, most);
     for (double i = 1; i < steps; ++i)
-      found.emplace_back(from->pixel.x() + i / steps * way.x(),
-                         from->pixel.y() + i / steps * way.y());
+      found.emplace_back(from->pixel.x() + i / steps * along.x(),
+                         from->pixel.y() + i / steps * along.y());
   }
 }
 

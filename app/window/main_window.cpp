@@ -252,6 +252,8 @@ void MainWindow::refreshDocks() {
       dock->setPlantShown(hasPlant);
     part->setPlantShown(hasPlant);
   }
+  // Qt makes separators anew for panels that come back, and drops those of before only here.
+  if (!hasPlant && isVisible()) restoreState(saveState());
 }
 
 /// What a job will replace is not to be edited meanwhile, nor the plant while a scan is registered.

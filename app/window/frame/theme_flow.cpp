@@ -32,12 +32,12 @@ ThemeFlow::ThemeFlow(const Parts& parts) : parts_(parts) {
 }
 
 void ThemeFlow::start() {
-  use(chosen());
+  use(chosenTheme(parts_.settings));
 }
 
 bool ThemeFlow::eventFilter(QObject* watched, QEvent* event) {
   // Of the system: a palette that this program sets makes no such event.
-  if (event->type() == QEvent::ThemeChange && chosen() == Theme::system) use(Theme::system);
+  if (event->type() == QEvent::ThemeChange && chosenTheme(parts_.settings) == Theme::system) use(Theme::system);
   return QObject::eventFilter(watched, event);
 }
 
@@ -46,10 +46,6 @@ void ThemeFlow::use(Theme theme) {
   const bool isDark = theme == Theme::dark || (theme == Theme::system && parts_.isSystemDark());
   applyTheme(isDark);
   emit changed(isDark);
-}
-
-Theme ThemeFlow::chosen() const {
-  return themeNamed(parts_.settings.value("theme").toString());
 }
 
 } // namespace espalier

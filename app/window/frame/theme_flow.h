@@ -37,7 +37,6 @@ protected:
 
 private:
   void use(Theme theme);
-  [[nodiscard]] Theme chosen() const;
 
   Parts parts_;
 };

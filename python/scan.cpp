@@ -67,16 +67,15 @@ HeldScan scanOf(const py::object& points, const py::object& colors, const py::ob
   if (cloud->isEmpty())
     throw Error("points hold " + std::to_string(given) +
                 " rows, none of them finite: give the points of a scan");
-  std::vector<std::string> notes = scanNotes(*cloud, "points");
-  if (std::string note = leftOutNote(*cloud, given, "points"); !note.empty())
-    notes.insert(notes.begin(), std::move(note));
-  return {std::move(cloud), std::move(notes)};
+  std::vector<ShownMessage> notes = scanNotes(*cloud, "points");
+  if (auto note = leftOutNote(*cloud, given, "points")) notes.insert(notes.begin(), *note);
+  return {std::move(cloud), eachInEnglish(notes)};
 }
 
 HeldScan scanIn(const std::filesystem::path& path, const py::object& report) {
   auto read =
       resultOf(report, 0, [&](const Progress& progress) { return readPoints(path, progress); });
-  return {std::make_shared<const PointCloud>(std::move(read.value)), std::move(read.notes)};
+  return {std::make_shared<const PointCloud>(std::move(read.value)), eachInEnglish(read.notes)};
 }
 
 py::object colorsOf(const HeldScan& scan) {

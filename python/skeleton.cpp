@@ -79,14 +79,14 @@ HeldSkeleton skeletonOf(const py::object& positionsGiven, const py::object& pare
   Skeleton skeleton;
   skeleton.reserve(static_cast<std::size_t>(count));
   for (py::ssize_t i = 0; i < count; ++i) {
-    const std::string where = "row " + std::to_string(i) + ": ";
+    const std::string where = "row " + std::to_string(i);
     Node node{.position = {positions.at(i, 0), positions.at(i, 1), positions.at(i, 2)},
               .radius = radiiGiven.is_none() ? 0 : radii.at(i)};
-    if (!isInRange(node.position, node.radius)) throw outOfRange(where);
-    if (node.radius < 0) throw Error(where + "its radius is below 0: correct it");
+    if (!isInRange(node.position, node.radius)) throw outOfRange(FilePlace{where});
+    if (node.radius < 0) throw Error(where + ": its radius is below 0: correct it");
     const std::int64_t parent = parents.at(i);
     if (parent >= i)
-      throw Error(where + "its parent, row " + std::to_string(parent) +
+      throw Error(where + ": its parent, row " + std::to_string(parent) +
                   ", is no row before it: list parents before their children, and -1 for roots");
     if (parent >= 0) node.parent = NodeId(static_cast<std::uint32_t>(parent));
     node.edge = static_cast<EdgeType>(edges[static_cast<std::size_t>(i)]);
@@ -98,7 +98,7 @@ HeldSkeleton skeletonOf(const py::object& positionsGiven, const py::object& pare
 HeldSkeleton held(Imported<Structure> structure) {
   return {.skeleton = std::make_shared<const Skeleton>(std::move(structure.value.skeleton)),
           .frame = std::move(structure.value.frame),
-          .notes = std::move(structure.notes)};
+          .notes = eachInEnglish(structure.notes)};
 }
 
 HeldSkeleton fromMtg(const std::string& text) {

@@ -147,7 +147,7 @@ void reconstruct(const Batch& batch, const BatchPlant& plant, const Progress& pr
   const Reconstruction result = about(
       plant.scan.string(), [&] { return Pipeline().run(cloud, options, progress.part(0.2, 0.8)); });
   describe(*cloud, result, row);
-  row.notes = scan.notes;
+  row.notes = eachInEnglish(scan.notes);
   for (const std::string& note : notesOf(result))
     row.notes.push_back(note);
   if (isJudged)

@@ -42,15 +42,17 @@ std::optional<Eigen::Vector3d> rootOf(const std::string& text) {
 }
 
 /// A note if there are columns of which nothing is known: a name may be misspelt.
-std::vector<std::string> passedOver(const CsvTable& table, const std::string& file) {
+std::vector<ShownMessage> passedOver(const CsvTable& table, const std::string& file) {
   constexpr std::string_view known[] = {"scan", "name", "reference", "root"};
   std::vector<std::string> others = table.names;
   for (const std::string_view name : known)
     if (const auto column = table.column(name)) std::erase(others, table.names[*column]);
   if (others.empty()) return {};
-  return {file + ": passed over " + listed(others) +
-          (others.size() == 1 ? ", which is no column" : ", which are no columns") +
-          " of a plant: these are scan, name, reference and root"};
+  return {{"passed over %1, which " +
+               std::string(others.size() == 1 ? "is no column" : "are no columns") +
+               " of a plant: these are scan, name, reference and root",
+           {listed(others)},
+           FilePlace{file}}};
 }
 
 /// The name of a plant, which no other has. @throws Error if it can have none
@@ -83,7 +85,7 @@ BatchPlant plantOf(const CsvTable& table, const CsvTable::Row& row,
     if (plant.scan.empty()) throw Error(noScan);
     plant.root = rootOf(field("root"));
   } catch (const Error& problem) {
-    plant.problem = place(file.string(), row.line) + problem.what();
+    plant.problem = inEnglish(FilePlace{file.string(), row.line}) + ": " + problem.what();
   }
   if (isNamed) return plant;
   plant.name = "line " + std::to_string(row.line);
@@ -97,8 +99,8 @@ BatchPlant plantOf(const CsvTable& table, const CsvTable::Row& row,
 Imported<std::vector<BatchPlant>> readManifest(const std::filesystem::path& file) {
   const CsvTable table = readCsv(readText(file), file.string());
   if (!table.column("scan"))
-    throw Error(place(file.string(), 1) +
-                "there is no column scan: name the columns in the first line, as "
+    throw Error(inEnglish(FilePlace{file.string(), 1}) +
+                ": there is no column scan: name the columns in the first line, as "
                 "scan,name,reference");
   Imported<std::vector<BatchPlant>> result{{}, passedOver(table, file.string())};
   std::vector<BatchPlant>& plants = result.value;

@@ -19,7 +19,7 @@ Skeleton skeletonIn(const std::string& file, double scale) {
       skeleton.setPosition(id, scale * skeleton[id].position);
       skeleton.setRadius(id, scale * skeleton[id].radius, skeleton[id].origin);
       if (!isInRange(skeleton[id].position, skeleton[id].radius))
-        throw outOfRange(file + ", scaled: node " + std::to_string(indexOf(id)) + ": ");
+        throw outOfRange(FilePlace{file + ", scaled: node " + std::to_string(indexOf(id))});
     }
   return skeleton;
 }

@@ -89,7 +89,7 @@ Json infoOnMtg(const std::string& file, const Format& format) {
   if (isPlaced)
     skeleton = skeletonOf(mtg.value, name);
   else
-    skeleton.notes.push_back(name + ": has no positions, so there is no skeleton to measure");
+    printNotes({name + ": has no positions, so there is no skeleton to measure"});
   printNotes(skeleton.notes);
   Json json = statistics(skeleton.value);
   json.update(statistics(mtg.value));

@@ -45,8 +45,8 @@ CsvTable pairTable(const std::string& text, const std::string& file) {
   const std::size_t columns = fieldsOf(*first).size();
   while (const auto line = lines.next())
     if (fieldsOf(*line).size() > columns)
-      throw Error(place(file, lines.number()) + "expected " + std::to_string(columns) +
-                  " fields, as in the first line");
+      throw Error(inEnglish(FilePlace{file, lines.number()}) + ": expected " +
+                  std::to_string(columns) + " fields, as in the first line");
   std::string names = columns == 7 ? "scan," : "";
   names += pairHeader;
   std::ranges::replace(names, ',', (*first)[first->find_first_of(",;\t")]);
@@ -59,19 +59,20 @@ CsvTable pairTable(const std::string& text, const std::string& file) {
 
 /// Which of the moved scans a field names, by its file or its number.
 std::size_t movedScan(const std::string& field, const std::vector<std::string>& moved,
-                      const std::string& where) {
+                      const FilePlace& where) {
   const auto isNamed = [&](const std::string& path) {
     return path == field || std::filesystem::path(path).filename() == field;
   };
   const auto named = std::ranges::find_if(moved, isNamed);
   if (named != moved.end()) {
     if (std::find_if(named + 1, moved.end(), isNamed) != moved.end())
-      throw Error(where + "two scans are named " + inQuotes(field) + ": write the number instead");
+      throw Error(inEnglish(where) + ": two scans are named " + inQuotes(field) +
+                  ": write the number instead");
     return static_cast<std::size_t>(named - moved.begin());
   }
   for (std::size_t i = 0; i < moved.size(); ++i)
     if (field == std::to_string(i + 1)) return i;
-  throw Error(where + "no scan " + inQuotes(field) +
+  throw Error(inEnglish(where) + ": no scan " + inQuotes(field) +
               " is to be moved: write its file, or its number from 1");
 }
 
@@ -84,17 +85,17 @@ std::vector<std::vector<TargetPair>> readTargetPairs(const std::filesystem::path
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto column = table.column(pairColumns[i]);
     if (!column)
-      throw Error(place(file.string(), 1) + "there is no column " + pairColumns[i] +
-                  ": name the columns in the first line, as " + pairHeader);
+      throw Error(inEnglish(FilePlace{file.string(), 1}) + ": there is no column " +
+                  pairColumns[i] + ": name the columns in the first line, as " + pairHeader);
     columns[i] = *column;
   }
   const std::optional<std::size_t> scan = table.column("scan");
   if (!scan && moved.size() > 1)
-    throw Error(place(file.string(), 1) +
-                "there is no column scan: it says which of the moved scans a pair is of");
+    throw Error(inEnglish(FilePlace{file.string(), 1}) +
+                ": there is no column scan: it says which of the moved scans a pair is of");
   std::vector<std::vector<TargetPair>> pairs(moved.size());
   for (const CsvTable::Row& row : table.rows) {
-    const std::string where = place(file.string(), row.line);
+    const FilePlace where{file.string(), row.line};
     const auto number = [&](std::size_t i) {
       return finiteNumber(row.fields[columns[i]], pairColumns[i], where);
     };

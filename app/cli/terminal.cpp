@@ -66,9 +66,16 @@ void printWritten(const std::string& what) {
   printLine("wrote " + what);
 }
 
+void printNotes(const std::vector<ShownMessage>& notes) {
+  for (const ShownMessage& note : firstNotes(notes))
+    printLine("note: " + inEnglish(note));
+}
+
 void printNotes(const std::vector<std::string>& notes) {
-  for (const std::string& note : firstNotes(notes))
-    printLine("note: " + note);
+  std::vector<ShownMessage> messages;
+  for (const std::string& note : notes)
+    messages.push_back({note});
+  printNotes(messages);
 }
 
 } // namespace espalier

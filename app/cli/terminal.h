@@ -2,6 +2,7 @@
 
 #include "app/cli/interrupt.h"
 #include "core/base/progress.h"
+#include "core/base/shown_message.h"
 
 #include <chrono>
 #include <string>
@@ -54,6 +55,7 @@ void printWritten(const std::string& what);
 
 /// Prints the notes a reader or writer had, each on its line of standard error: the first of them,
 /// and how many more there are.
+void printNotes(const std::vector<ShownMessage>& notes);
 void printNotes(const std::vector<std::string>& notes);
 
 } // namespace espalier

@@ -80,7 +80,8 @@ void check(const PointCloud& fixed, const PointCloud& moved, const Isometry3d& s
     throw Error("registration: expected an overlap of 0 to 1");
   if (!(options.reach >= 0 && options.reach <= largestCoordinate))
     throw Error("registration: expected a reach of 0 or more");
-  if (!start.matrix().allFinite()) throw Error("registration: the starting motion is not finite");
+  if (!start.matrix().allFinite())
+    throw ShownError({Shown::tr("registration: the starting motion is not finite")});
   if (fixed.size() < 20 || moved.size() < 20)
     throw ShownError({Shown::tr(
         "a scan of under 20 points cannot be registered: check that it is the right one")});

@@ -1,10 +1,9 @@
 #include "core/align/target_sphere.h"
 
 #include "core/base/coordinates.h"
-#include "core/base/counted.h"
-#include "core/base/error.h"
 #include "core/base/quantile.h"
 #include "core/base/random.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 
 #include <Eigen/Cholesky>
@@ -13,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -149,18 +149,69 @@ Sphere refinedOn(Sphere sphere, const Places& places, bool isRadiusFree) {
   return sphere;
 }
 
-/// Why it is no sphere; empty if it is one.
-std::string doubtOf(const Sphere& sphere, const Places& its, const Places& places) {
-  if (its.size() < fewest) return "only " + counted(its.size(), "point") + " lie on the likeliest";
+/// Why there is no sphere, of a radius that is given and of one that is not.
+struct NoSphereTexts {
+  const char* ofRadius;
+  const char* ofAny;
+};
+
+constexpr NoSphereTexts oneNearTexts{
+    Shown::tr("no sphere of radius %3 about %1: only 1 point is near: pick its middle, and check "
+              "the radius"),
+    Shown::tr("no sphere about %1: only 1 point is near: pick its middle, and check the radius")};
+constexpr NoSphereTexts fewNearTexts{
+    Shown::tr("no sphere of radius %3 about %1: only %2 points are near: pick its middle, and "
+              "check the radius"),
+    Shown::tr(
+        "no sphere about %1: only %2 points are near: pick its middle, and check the radius")};
+constexpr NoSphereTexts onNoneTexts{
+    Shown::tr("no sphere of radius %3 about %1: the points there lie on none: pick its middle, and "
+              "check the radius"),
+    Shown::tr(
+        "no sphere about %1: the points there lie on none: pick its middle, and check the radius")};
+constexpr NoSphereTexts oneOnItTexts{
+    Shown::tr("no sphere of radius %3 about %1: only 1 point lies on the likeliest: pick its "
+              "middle, and check the radius"),
+    Shown::tr("no sphere about %1: only 1 point lies on the likeliest: pick its middle, and check "
+              "the radius")};
+constexpr NoSphereTexts fewOnItTexts{
+    Shown::tr("no sphere of radius %3 about %1: only %2 points lie on the likeliest: pick its "
+              "middle, and check the radius"),
+    Shown::tr("no sphere about %1: only %2 points lie on the likeliest: pick its middle, and check "
+              "the radius")};
+constexpr NoSphereTexts littleSeenTexts{
+    Shown::tr("no sphere of radius %3 about %1: too little of it is seen: pick its middle, and "
+              "check the radius"),
+    Shown::tr(
+        "no sphere about %1: too little of it is seen: pick its middle, and check the radius")};
+constexpr NoSphereTexts mostOffTexts{
+    Shown::tr("no sphere of radius %3 about %1: over half of the points about it lie off it: pick "
+              "its middle, and check the radius"),
+    Shown::tr("no sphere about %1: over half of the points about it lie off it: pick its middle, "
+              "and check the radius")};
+
+/// @param points  of which there are too few
+[[noreturn]] void refuseSphere(const NoSphereTexts& why, std::size_t points,
+                               const Eigen::Vector3d& place, const TargetSphereOptions& options) {
+  std::ostringstream where;
+  where << place.x() << ", " << place.y() << ", " << place.z();
+  throw ShownError({options.radius ? why.ofRadius : why.ofAny,
+                    {where.str(), std::to_string(points),
+                     options.radius ? plainDecimal(*options.radius) : std::string()}});
+}
+
+/// Why it is no sphere; null if it is one.
+const NoSphereTexts* doubtOf(const Sphere& sphere, const Places& its, const Places& places) {
+  if (its.size() < fewest) return its.size() == 1 ? &oneOnItTexts : &fewOnItTexts;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& place : its)
     mean += (place - sphere.center).normalized() / static_cast<double>(its.size());
-  if (mean.norm() > 0.9) return "too little of it is seen"; // a cap of 37 degrees about a side
+  if (mean.norm() > 0.9) return &littleSeenTexts; // a cap of 37 degrees about a side
   const auto about = std::ranges::count_if(places, [&](const Eigen::Vector3d& place) {
     return (place - sphere.center).norm() <= shell * sphere.radius;
   });
-  if (2 * std::ssize(its) < about) return "over half of the points about it lie off it";
-  return {};
+  if (2 * std::ssize(its) < about) return &mostOffTexts;
+  return nullptr;
 }
 
 } // namespace
@@ -172,7 +223,8 @@ TargetSphere targetSphere(const PointCloud& cloud, const SpatialIndex& index,
     return !length || (*length > 0 && *length <= largestCoordinate);
   };
   if (!isInRange(place) || !isLength(options.radius) || !isLength(options.reach))
-    throw Error("a target sphere: expected a finite place, and a radius and reach over 0");
+    throw ShownError(
+        {Shown::tr("a target sphere: expected a finite place, and a radius and reach over 0")});
   const double reach = options.reach    ? *options.reach
                        : options.radius ? 3 * *options.radius
                                         : 40 * pointSpacing(cloud.positions(), index);
@@ -185,31 +237,22 @@ TargetSphere targetSphere(const PointCloud& cloud, const SpatialIndex& index,
   for (const Eigen::Index i : found)
     places.push_back(cloud.positions().col(i).cast<double>() - about);
 
-  std::string doubt = "only " + counted(places.size(), "point") + " are near";
-  if (places.size() >= fewest) {
-    const double most = options.radius ? 2 * *options.radius : reach;
-    if (std::optional<Sphere> best = likeliest(places, options, most, progress)) {
-      const Sphere sphere = refinedOn(*best, places, !options.radius);
-      const Places its = on(sphere, places, 0.1 * sphere.radius);
-      doubt = doubtOf(sphere, its, places);
-      if (doubt.empty()) {
-        double squares = 0;
-        for (const Eigen::Vector3d& each : its)
-          squares += std::pow(sphere.off(each), 2);
-        return {.center = place + sphere.center,
-                .radius = sphere.radius,
-                .residual = std::sqrt(squares / static_cast<double>(its.size())),
-                .points = std::ssize(its)};
-      }
-    } else {
-      doubt = "the points there lie on none";
-    }
-  }
-  std::ostringstream where;
-  where << place.x() << ", " << place.y() << ", " << place.z();
-  throw Error("no sphere" +
-              (options.radius ? " of radius " + plainDecimal(*options.radius) : std::string()) +
-              " about " + where.str() + ": " + doubt + ": pick its middle, and check the radius");
+  if (places.size() < fewest)
+    refuseSphere(places.size() == 1 ? oneNearTexts : fewNearTexts, places.size(), place, options);
+  const double most = options.radius ? 2 * *options.radius : reach;
+  const std::optional<Sphere> best = likeliest(places, options, most, progress);
+  if (!best) refuseSphere(onNoneTexts, places.size(), place, options);
+  const Sphere sphere = refinedOn(*best, places, !options.radius);
+  const Places its = on(sphere, places, 0.1 * sphere.radius);
+  if (const NoSphereTexts* doubt = doubtOf(sphere, its, places))
+    refuseSphere(*doubt, its.size(), place, options);
+  double squares = 0;
+  for (const Eigen::Vector3d& each : its)
+    squares += std::pow(sphere.off(each), 2);
+  return {.center = place + sphere.center,
+          .radius = sphere.radius,
+          .residual = std::sqrt(squares / static_cast<double>(its.size())),
+          .points = std::ssize(its)};
 }
 
 } // namespace espalier

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 
 #include <Eigen/Core>
-
-#include <string>
 
 namespace espalier {
 
@@ -18,9 +16,11 @@ inline constexpr double largestCoordinate = 1e12;
 }
 
 /// What is wrong with a node that is not in range.
-/// @param where  the start of the message: "oak.swc, line 12: "
-[[nodiscard]] inline Error outOfRange(const std::string& where) {
-  return Error(where + "its place or radius is beyond 1e12, as of no plant: correct or remove it");
+[[nodiscard]] inline ShownError outOfRange(const FilePlace& where) {
+  return ShownError(
+      {Shown::tr("its place or radius is beyond 1e12, as of no plant: correct or remove it"),
+       {},
+       where});
 }
 
 } // namespace espalier

@@ -1,8 +1,8 @@
 #include "core/base/delaunay.h"
 
-#include "core/base/error.h"
 #include "core/base/qhull.h"
 #include "core/base/random.h"
+#include "core/base/shown_message.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -137,7 +137,7 @@ std::vector<Tetrahedron> delaunay(const Eigen::Matrix3Xd& points, const Progress
   LiftedHull hull;
   std::string command = "qhull d Qbb Qt Pp";
   if (build(hull.state, places, command.data(), progress) != qh_ERRnone)
-    throw Error("the Delaunay triangulation of the points could not be found");
+    throw ShownError({Shown::tr("the Delaunay triangulation of the points could not be found")});
   std::vector<Tetrahedron> all = lowerFacets(hull.state, kept);
   const double size = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
   for (Tetrahedron& each : all)

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <string>
+#include "core/base/shown_message.h"
+
 #include <vector>
 
 namespace espalier {
@@ -8,7 +9,7 @@ namespace espalier {
 /// What a file held, and what its user should know of how it was read.
 template <class T> struct Imported {
   T value;
-  std::vector<std::string> notes; // a line each: "scan.xyz: 3 of 100 points are not finite ..."
+  std::vector<ShownMessage> notes; // "scan.xyz: 3 of 100 points are not finite ..."
 };
 
 } // namespace espalier

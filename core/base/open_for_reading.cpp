@@ -1,6 +1,6 @@
 #include "core/base/open_for_reading.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 
 #include <cerrno>
 #include <fcntl.h>
@@ -8,25 +8,28 @@
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace espalier {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& why) {
-  throw Error(path.string() + ": " + why);
+[[noreturn]] void fail(const std::filesystem::path& path, const char* why,
+                       std::vector<std::string> values = {}) {
+  throw ShownError({why, std::move(values), FilePlace{path.string()}});
 }
 
 [[noreturn]] void fail(const std::filesystem::path& path, int code) {
   switch (code) {
   case ENOENT:
   case ENOTDIR:
-    fail(path, "there is no such file: check its name and folder");
+    fail(path, espalier::Shown::tr("there is no such file: check its name and folder"));
   case EACCES:
   case EPERM:
-    fail(path, "may not be read: change its rights, or choose another file");
+    fail(path, espalier::Shown::tr("may not be read: change its rights, or choose another file"));
   default:
-    fail(path, "cannot be read: " + std::generic_category().message(code) + "; try a copy of it");
+    fail(path, espalier::Shown::tr("cannot be read: %1; try a copy of it"),
+         {std::generic_category().message(code)});
   }
 }
 
@@ -34,7 +37,7 @@ namespace {
 mode_t kindOf(const std::filesystem::path& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) fail(path, errno);
-  if (S_ISDIR(status.st_mode)) fail(path, "is a folder, choose a file in it");
+  if (S_ISDIR(status.st_mode)) fail(path, espalier::Shown::tr("is a folder, choose a file in it"));
   return status.st_mode;
 }
 
@@ -64,14 +67,16 @@ std::string allOf(const Descriptor& file, const std::filesystem::path& path) {
     if (got == 0) return text;
     if (got < 0 && errno != EINTR) fail(path, errno);
     if (got > 0) text.append(block.data(), static_cast<std::size_t>(got));
-    if (text.size() > most) fail(path, "is longer than any such text: choose another file");
+    if (text.size() > most)
+      fail(path, espalier::Shown::tr("is longer than any such text: choose another file"));
   }
 }
 
 } // namespace
 
 void requireReadable(const std::filesystem::path& path) {
-  if (!S_ISREG(kindOf(path))) fail(path, "is a pipe or device: save it as a file and open that");
+  if (!S_ISREG(kindOf(path)))
+    fail(path, espalier::Shown::tr("is a pipe or device: save it as a file and open that"));
   if (::access(path.c_str(), R_OK) != 0) fail(path, errno);
 }
 
@@ -88,11 +93,12 @@ std::string readText(const std::filesystem::path& path) {
   if (!S_ISFIFO(kind) && !S_ISCHR(kind)) requireReadable(path);
   const Descriptor file(path);
   if (S_ISCHR(kind) && ::isatty(file.number()) == 0)
-    fail(path, "is a device: save it as a file and open that");
+    fail(path, espalier::Shown::tr("is a device: save it as a file and open that"));
   ::fcntl(file.number(), F_SETFL, 0); // reading waits for whoever writes, and ends if nobody does
   std::string text = allOf(file, path);
   if (text.empty() && S_ISFIFO(kind))
-    fail(path, "is a pipe that nobody writes to: save it as a file and open that");
+    fail(path,
+         espalier::Shown::tr("is a pipe that nobody writes to: save it as a file and open that"));
   return text;
 }
 

@@ -1,6 +1,6 @@
 #include "core/base/qhull.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 
 #include <Eigen/Geometry>
 
@@ -15,7 +15,7 @@ Facets::Facets(Eigen::MatrixXd points) : points_(std::move(points)) {
   if (qh_new_qhull(&qh_, static_cast<int>(points_.rows()), static_cast<int>(points_.cols()),
                    points_.data(), False, command.data(), nullptr, nullptr) != qh_ERRnone) {
     free();
-    throw Error("the convex hull of the points could not be found");
+    throw ShownError({Shown::tr("the convex hull of the points could not be found")});
   }
   qh_getarea(&qh_, qh_.facet_list);
 }

@@ -4,8 +4,17 @@
 
 namespace espalier {
 
+std::string inEnglish(const FilePlace& place) {
+  std::string text = place.file;
+  if (place.line) text += ", line " + std::to_string(*place.line);
+  if (place.column) text += ", column " + std::to_string(*place.column);
+  if (place.byte) text += ", byte " + std::to_string(*place.byte);
+  return text;
+}
+
 std::string inEnglish(const ShownMessage& message) {
   std::string text;
+  if (message.where) text = inEnglish(*message.where) + ": ";
   const std::string& sentence = message.sentence;
   for (std::size_t i = 0; i < sentence.size(); ++i) {
     const bool isPlace = sentence[i] == '%' && i + 1 < sentence.size() && sentence[i + 1] >= '1' &&
@@ -26,6 +35,11 @@ std::vector<std::string> eachInEnglish(const std::vector<ShownMessage>& messages
   for (const ShownMessage& message : messages)
     texts.push_back(inEnglish(message));
   return texts;
+}
+
+ShownMessage messageOf(const std::exception& error) {
+  const auto* shown = dynamic_cast<const ShownError*>(&error);
+  return shown != nullptr ? shown->message() : ShownMessage{error.what()};
 }
 
 ShownError::ShownError(ShownMessage message)

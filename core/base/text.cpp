@@ -38,10 +38,12 @@ std::optional<double> numberIn(std::string_view text) {
   return error == std::errc::result_out_of_range ? rounded(text) : value;
 }
 
-double finiteNumber(std::string_view field, std::string_view name, const std::string& where) {
+double finiteNumber(std::string_view field, std::string_view name, const FilePlace& where) {
   const auto number = numberIn(field);
   if (!number || !std::isfinite(*number))
-    throw Error(where + "expected a number as " + std::string(name) + ", found " + inQuotes(field));
+    throw ShownError({Shown::tr("expected a number as %1, found %2"),
+                      {std::string(name), inQuotes(field)},
+                      where});
   return *number;
 }
 
@@ -124,10 +126,6 @@ std::optional<std::string_view> LineReader::next() {
   offset_ = std::min(end + 1, text_.size());
   ++number_;
   return line;
-}
-
-std::string place(const std::string& file, std::size_t line) {
-  return file + ", line " + std::to_string(line) + ": ";
 }
 
 } // namespace espalier

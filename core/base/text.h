@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/shown_message.h"
 
 #include <cstddef>
 #include <iosfwd>
@@ -15,10 +16,10 @@ namespace espalier {
 [[nodiscard]] std::optional<double> numberIn(std::string_view text);
 
 /// The number that a field is.
-/// @param name   of the field, @param where  what a message begins with, as place() gives it
-/// @throws Error if it is no number, or not finite
+/// @param name   of the field, @param where  it is, for the message
+/// @throws ShownError if it is no number, or not finite
 [[nodiscard]] double finiteNumber(std::string_view field, std::string_view name,
-                                  const std::string& where);
+                                  const FilePlace& where);
 
 /// The shortest decimal that reads back as the same double, never with an exponent.
 /// pre: value is finite
@@ -61,8 +62,5 @@ private:
   std::size_t offset_ = 0;
   std::size_t number_ = 0;
 };
-
-/// "oak.xyz, line 12: ", for the start of a message.
-[[nodiscard]] std::string place(const std::string& file, std::size_t line);
 
 } // namespace espalier

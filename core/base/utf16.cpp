@@ -1,6 +1,6 @@
 #include "core/base/utf16.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 
 #include <algorithm>
 
@@ -25,9 +25,11 @@ bool isUtf16(std::string_view beginning) {
 
 void requireNoUtf16(std::string_view beginning, const std::string& file) {
   if (isUtf16(beginning))
-    throw Error(file + ": is text of two bytes per character (UTF-16, \"Unicode Text\" in Excel), "
-                       "which cannot be read: save it as UTF-8, or in Excel as \"Text (Tab "
-                       "delimited)\"");
+    throw ShownError({Shown::tr("is text of two bytes per character (UTF-16, \"Unicode Text\" in "
+                                "Excel), which cannot be read: save it as UTF-8, or in Excel as "
+                                "\"Text (Tab delimited)\""),
+                      {},
+                      FilePlace{file}});
 }
 
 } // namespace espalier

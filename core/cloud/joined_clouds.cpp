@@ -1,6 +1,6 @@
 #include "core/cloud/joined_clouds.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/cloud/file_order.h"
 
 #include <algorithm>
@@ -40,14 +40,16 @@ PointCloud joined(const std::vector<PlacedCloud>& clouds, const Progress& progre
   for (const PlacedCloud& placed : clouds)
     points += static_cast<std::size_t>(placed.cloud->size());
   if (points > std::numeric_limits<std::uint32_t>::max())
-    throw Error("the scans have over 4 294 967 295 points together: thin them first");
+    throw ShownError(
+        {Shown::tr("the scans have over 4 294 967 295 points together: thin them first")});
   all.positions.reserve(points);
   for (std::size_t i = 0; i < clouds.size(); ++i) {
     const std::size_t firstStation = all.stations.size();
     for (Station& station : stationsOf(clouds[i]))
       all.stations.push_back(std::move(station));
     if (all.stations.size() > mostStations)
-      throw Error("the scans have over 65536 stations together: join fewer of them");
+      throw ShownError(
+          {Shown::tr("the scans have over 65536 stations together: join fewer of them")});
     const auto share = [&](std::size_t cloud) {
       return 0.4 * static_cast<double>(cloud) / static_cast<double>(clouds.size());
     };

@@ -1,8 +1,8 @@
 #include "core/cloud/point_cloud.h"
 
 #include "core/base/coordinates.h"
-#include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/shown_message.h"
 #include "core/base/spatial_index.h"
 #include "core/cloud/far_points.h"
 #include "core/cloud/spacing_of_places.h"
@@ -129,7 +129,7 @@ PointCloud::PointCloud(StoredPoints stored) {
   if (stored.fileOrder.size() != count || !isNoneOr(stored.colors.size()) ||
       !isNoneOr(stored.intensities.size()) ||
       !haveStations(stored.stationOf, count, stored.stations))
-    throw Error("stored points are not complete: open the scan again");
+    throw ShownError({espalier::Shown::tr("stored points are not complete: open the scan again")});
   // About an origin at the other end of all that is in range, a place is twice as far.
   constexpr auto farthest = static_cast<float>(2 * largestCoordinate);
   const bool areInRange = (stored.positions.array().abs() <= farthest).all();
@@ -137,7 +137,8 @@ PointCloud::PointCloud(StoredPoints stored) {
     return !station.scanner || isInRange(*station.scanner);
   });
   if (!areInRange || !isInRange(stored.origin) || !areStationsInRange)
-    throw Error("stored points are not all finite, or beyond any plant: open the scan again");
+    throw ShownError({espalier::Shown::tr(
+        "stored points are not all finite, or beyond any plant: open the scan again")});
   positions_ = std::move(stored.positions);
   origin_ = stored.origin;
   colors_ = std::move(stored.colors);

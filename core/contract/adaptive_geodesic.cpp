@@ -1,6 +1,6 @@
 #include "core/contract/adaptive_geodesic.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/contract/ball_centers.h"
 #include "core/contract/density_radii.h"
 #include "core/contract/stretched_length.h"
@@ -22,7 +22,8 @@ Eigen::Matrix3Xf contractedAdaptively(const Eigen::Matrix3Xf& points,
                                       const AdaptiveGeodesicOptions& options,
                                       const Progress& progress) {
   if (options.along <= 0 && options.across <= 0)
-    throw Error("contraction with no weight along and none across has no end: raise one of them");
+    throw ShownError({espalier::Shown::tr(
+        "contraction with no weight along and none across has no end: raise one of them")});
   if (points.cols() < 2) return points;
   const NeighborhoodGraph graph(points, options.neighbors, progress.part(0, 0.2));
   const std::vector<float> radii = densityRadii(graph,

@@ -107,8 +107,8 @@ coveragesOf(const Comparison& comparison, const Skeleton& result, const Skeleton
 
 Comparison compare(const Skeleton& result, const Skeleton& reference,
                    const ComparisonOptions& options, const Progress& progress) {
-  requireComparable(result, "the plant");
-  requireComparable(reference, "the reference");
+  requireComparable(result, ComparedAs::plant);
+  requireComparable(reference, ComparedAs::reference);
   Comparison comparison;
   const UpAxis up = options.registration.up;
   const Skeleton uprightReference = standing(reference, up);

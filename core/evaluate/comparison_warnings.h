@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/base/shown_message.h"
+#include "core/evaluate/match/comparable.h"
 #include "core/evaluate/match/tolerance_curve.h"
 #include "core/evaluate/registration/registration.h"
 #include "core/evaluate/traits/traits.h"
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -15,9 +15,6 @@ namespace espalier {
 [[nodiscard]] std::string inDigits(double value, int digits);
 
 // Each says in a line what makes the numbers of a comparison doubtful; none if nothing does.
-
-/// Which of the two a warning is about.
-enum class ComparedAs : std::uint8_t { plant, reference };
 
 /// Several trees in one structure.
 [[nodiscard]] std::optional<ShownMessage> warningOfTrees(const Traits& traits, ComparedAs as);

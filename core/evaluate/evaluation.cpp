@@ -51,8 +51,8 @@ Eigen::Isometry3d referenceMotion(const Skeleton& result, const Skeleton& refere
 
 Evaluation evaluate(const Skeleton& result, const Skeleton& reference,
                     const EvaluationOptions& options, const Progress& progress) {
-  requireComparable(result, "the plant");
-  requireComparable(reference, "the reference");
+  requireComparable(result, ComparedAs::plant);
+  requireComparable(reference, ComparedAs::reference);
   const std::vector<double> usual = defaultTolerances(reference);
   Evaluation made;
   made.motion =

@@ -23,7 +23,7 @@ StemDiameter stemOfPlant(const Skeleton& plant, double breastHeight) {
 
 PlantMeasures plantMeasures(const Skeleton& plant, const PlantMeasureOptions& options,
                             const Progress& progress) {
-  requireComparable(plant, "the plant");
+  requireComparable(plant, ComparedAs::plant);
   const Skeleton upright = standing(plant, options.up);
   PlantMeasures measures;
   measures.traits = traits(upright);

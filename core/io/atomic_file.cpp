@@ -1,6 +1,6 @@
 #include "core/io/atomic_file.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 
 #include <climits>
 
@@ -27,30 +27,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string adviceFor(int code) {
+/// What to say of a file that cannot be written, and what to try.
+const char* sentenceOn(int code) {
   switch (code) {
   case ENOSPC:
   case EDQUOT:
-    return "free some room or choose another disk";
+    return Shown::tr("cannot be written: %1; free some room or choose another disk");
   case EACCES:
   case EPERM:
   case EROFS:
-    return "choose a folder you may write to";
+    return Shown::tr("cannot be written: %1; choose a folder you may write to");
   case ENOENT:
   case ENOTDIR:
-    return "create the folder first or choose another";
+    return Shown::tr("cannot be written: %1; create the folder first or choose another");
   case EISDIR:
-    return "choose a file name";
+    return Shown::tr("cannot be written: %1; choose a file name");
   case ENAMETOOLONG:
-    return "choose a shorter name";
+    return Shown::tr("cannot be written: %1; choose a shorter name");
   default:
-    return "try another place";
+    return Shown::tr("cannot be written: %1; try another place");
   }
 }
 
 [[noreturn]] void fail(const fs::path& path, int code) {
-  throw Error(path.string() + ": cannot be written: " + std::generic_category().message(code) +
-              "; " + adviceFor(code));
+  throw ShownError(
+      {sentenceOn(code), {std::generic_category().message(code)}, FilePlace{path.string()}});
 }
 
 /// An open file that is written to through a stream. Failures are thrown as Error.

@@ -1,6 +1,5 @@
 #include "core/io/csv.h"
 
-#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/base/utf16.h"
 
@@ -58,7 +57,9 @@ private:
     std::string field;
     for (;; ++at_) {
       if (atEnd())
-        throw Error(place(file_, start) + "a quote is not closed: end the field with \"");
+        throw ShownError({espalier::Shown::tr("a quote is not closed: end the field with \""),
+                          {},
+                          FilePlace{file_, start}});
       if (text_[at_] == '"') {
         if (at_ + 1 == text_.size() || text_[at_ + 1] != '"') break;
         ++at_;
@@ -68,9 +69,10 @@ private:
     }
     ++at_;
     if (!plain().empty())
-      throw Error(place(file_, line_) +
-                  "there is text behind a quoted field: quote all of it, and write \"\" for a "
-                  "quote in it");
+      throw ShownError({espalier::Shown::tr("there is text behind a quoted field: quote all of it, "
+                                            "and write \"\" for a quote in it"),
+                        {},
+                        FilePlace{file_, line_}});
     return field;
   }
 
@@ -124,14 +126,19 @@ bool isBlank(const CsvTable::Row& row) {
 void requireNames(const CsvTable& table, const std::string& file) {
   constexpr std::size_t most = 1000;
   if (table.names.size() > most)
-    throw Error(place(file, 1) + "there are " + std::to_string(table.names.size()) +
-                " columns, more than in any such table: leave out those that are not needed");
+    throw ShownError(
+        {espalier::Shown::tr("there are %1 columns, more than in any such table: leave "
+                             "out those that are not needed"),
+         {std::to_string(table.names.size())},
+         FilePlace{file, 1}});
   for (auto name = table.names.begin(); name != table.names.end(); ++name) {
     const auto isSame = [&](const std::string& other) {
       return !name->empty() && lowerCase(other) == lowerCase(*name);
     };
     if (std::any_of(table.names.begin(), name, isSame))
-      throw Error(place(file, 1) + "two columns are named " + inQuotes(*name) + ": rename one");
+      throw ShownError({espalier::Shown::tr("two columns are named %1: rename one"),
+                        {inQuotes(*name)},
+                        FilePlace{file, 1}});
   }
 }
 
@@ -149,15 +156,19 @@ CsvTable readCsv(std::string_view text, const std::string& file) {
   CsvTable table;
   if (!reader.atEnd()) table.names = asWritten(reader.row().fields);
   if (std::ranges::all_of(table.names, &std::string::empty))
-    throw Error(place(file, 1) + "there are no names of columns: begin with a line of names");
+    throw ShownError(
+        {espalier::Shown::tr("there are no names of columns: begin with a line of names"),
+         {},
+         FilePlace{file, 1}});
   requireNames(table, file);
   while (!reader.atEnd()) {
     CsvTable::Row row = reader.row();
     if (isBlank(row)) continue;
     if (row.fields.size() > table.names.size())
-      throw Error(place(file, row.line) + "expected " + std::to_string(table.names.size()) +
-                  " fields, found " + std::to_string(row.fields.size()) +
-                  ": quote fields that hold the sign that parts them");
+      throw ShownError({espalier::Shown::tr("expected %1 fields, found %2: quote fields that hold "
+                                            "the sign that parts them"),
+                        {std::to_string(table.names.size()), std::to_string(row.fields.size())},
+                        FilePlace{file, row.line}});
     row.fields = asWritten(std::move(row.fields));
     row.fields.resize(table.names.size());
     table.rows.push_back(std::move(row));

@@ -174,36 +174,31 @@ std::vector<Format> makeFormats() {
                    .extensions = {"obj"},
                    .content = Content::structure,
                    .writeStructure = writeObjSurface,
-                   .carried = {.radii = true, .severalTrees = true},
-                   .advice = "open the structure that it was written from"});
+                   .carried = {.radii = true, .severalTrees = true}});
   table.push_back({.name = "PLY surface",
                    .description = "Surface as PLY triangles",
                    .extensions = {"ply"},
                    .content = Content::structure,
                    .writeStructure = writePlySurface,
-                   .carried = {.radii = true, .severalTrees = true},
-                   .advice = "open the structure that it was written from"});
+                   .carried = {.radii = true, .severalTrees = true}});
   table.push_back({.name = "OBJ lines",
                    .description = "Skeleton as OBJ lines",
                    .extensions = {"lines.obj"},
                    .content = Content::structure,
                    .writeStructure = writeObjLines,
-                   .carried = {.severalTrees = true},
-                   .advice = "open the structure that it was written from"});
+                   .carried = {.severalTrees = true}});
   table.push_back({.name = "PLY lines",
                    .description = "Skeleton as PLY vertices and edges",
                    .extensions = {"lines.ply"},
                    .content = Content::structure,
                    .writeStructure = writePlyLines,
-                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true},
-                   .advice = "open the structure that it was written from"});
+                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
   table.push_back({.name = "internodes",
                    .description = "Node list with internode lengths and angles",
                    .extensions = {"internodes.csv"},
                    .content = Content::structure,
                    .writeStructure = writeInternodeTable,
-                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true},
-                   .advice = "open the structure that it was written from"});
+                   .carried = {.radii = true, .edgeTypes = true, .severalTrees = true}});
   table.push_back({.name = "QSM table",
                    .description = "Cylinders in TreeQSM's columns",
                    .extensions = {"csv", "txt"},

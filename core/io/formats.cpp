@@ -1,8 +1,6 @@
 #include "core/io/formats.h"
 
 #include "core/base/coordinates.h"
-#include "core/base/counted.h"
-#include "core/base/error.h"
 #include "core/base/open_for_reading.h"
 #include "core/base/text.h"
 #include "core/base/utf16.h"
@@ -28,6 +26,11 @@ namespace {
 
 std::string nameOf(const std::filesystem::path& path) {
   return path.filename().string();
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const char* sentence,
+                         std::vector<std::string> values = {}) {
+  throw ShownError({sentence, std::move(values), FilePlace{nameOf(path)}});
 }
 
 /// The format whose extension the name ends in, of those `wanted`; of "a.lines.obj" that of
@@ -66,7 +69,9 @@ std::string beginningOf(std::istream& in, const std::filesystem::path& path) {
   bytes.resize(static_cast<std::size_t>(in.gcount()));
   in.clear();
   if (!in.seekg(0))
-    throw Error(path.string() + ": is a pipe or device: save it as a file and open that");
+    throw ShownError({espalier::Shown::tr("is a pipe or device: save it as a file and open that"),
+                      {},
+                      FilePlace{path.string()}});
   return bytes;
 }
 
@@ -77,28 +82,29 @@ bool knowsUtf16(const Format& format) {
 }
 
 const Format& formatOfContent(std::string_view beginning, const std::filesystem::path& path) {
-  if (trimmed(beginning).empty()) throw Error(nameOf(path) + ": is empty: copy or export it again");
+  if (trimmed(beginning).empty()) refuse(path, Shown::tr("is empty: copy or export it again"));
   for (const Format& format : formats())
     if (format.recognizes != nullptr && format.recognizes(beginning)) return format;
   const Format* format = formatOfName(path, [](const Format&) { return true; });
   if (!format || !knowsUtf16(*format)) requireNoUtf16(beginning, nameOf(path));
   if (format) return *format;
-  throw Error(nameOf(path) + ": is of no known kind; can be read: " +
-              listOf([](const Format& each) { return each.canRead(); }));
+  refuse(path, Shown::tr("is of no known kind; can be read: %1"),
+         {listOf([](const Format& each) { return each.canRead(); })});
 }
 
 /// The format of `in`, which must be of this content and readable.
 const Format& readableFormat(std::istream& in, const std::filesystem::path& path, Content content) {
   const Format& format = formatOfContent(beginningOf(in, path), path);
   if (!format.canRead())
-    throw Error(nameOf(path) + ": is " + std::string(format.name) +
-                ", which cannot be read: " + std::string(format.advice));
+    refuse(path,
+           Shown::tr("is %1, which cannot be read: open the structure that it was written from"),
+           {std::string(format.name)});
   if (format.content != content)
-    throw Error(nameOf(path) + ": holds " +
-                (content == Content::points ? "a structure" : "points") + " (" +
-                std::string(format.name) + "), not " +
-                (content == Content::points ? "points: choose a scan"
-                                            : "a structure: choose an MTG or a node list"));
+    refuse(path,
+           content == Content::points
+               ? Shown::tr("holds a structure (%1), not points: choose a scan")
+               : Shown::tr("holds points (%1), not a structure: choose an MTG or a node list"),
+           {std::string(format.name)});
   return format;
 }
 
@@ -110,25 +116,29 @@ std::string textOf(const Eigen::Vector3d& place) {
   return text.str();
 }
 
-Error nothingIn(const Eigen::AlignedBox3d& box, const std::filesystem::path& path,
-                std::uint64_t listed) {
+[[noreturn]] void refuseBox(const Eigen::AlignedBox3d& box, const std::filesystem::path& path,
+                            std::uint64_t listed) {
   const Eigen::AlignedBox3d bounds = glanceAt(path).bounds;
-  return Error{nameOf(path) + ": none of its " + counted(listed, "point") +
-               " lies in the box from " + textOf(box.min()) + " to " + textOf(box.max()) +
-               (bounds.isEmpty()
-                    ? ": choose another"
-                    : ": they lie from " + textOf(bounds.min()) + " to " + textOf(bounds.max()))};
+  const std::string count = std::to_string(listed);
+  if (bounds.isEmpty())
+    refuse(path, Shown::tr("none of its %1 points lies in the box from %2 to %3: choose another"),
+           {count, textOf(box.min()), textOf(box.max())});
+  refuse(path,
+         Shown::tr("none of its %1 points lies in the box from %2 to %3: they lie from %4 to %5"),
+         {count, textOf(box.min()), textOf(box.max()), textOf(bounds.min()), textOf(bounds.max())});
 }
 
-std::string partNote(const ImportedCloud& part, const ReadOptions& options,
-                     const std::string& file) {
+ShownMessage partNote(const ImportedCloud& part, const ReadOptions& options,
+                      const std::string& file) {
   const bool isSample =
       options.most > 0 && static_cast<std::uint64_t>(part.value.size()) >= options.most;
-  return file + ": " + std::to_string(part.value.size()) + " of " + counted(part.listed, "point") +
-         " are read, " +
-         (!options.box ? "a sample of all"
-          : isSample   ? "a sample of those in the box"
-                       : "those in the box");
+  const char* sentence = Shown::tr("%1 of %2 points are read, those in the box");
+  if (!options.box)
+    sentence = Shown::tr("%1 of %2 points are read, a sample of all");
+  else if (isSample)
+    sentence = Shown::tr("%1 of %2 points are read, a sample of those in the box");
+  return {
+      sentence, {std::to_string(part.value.size()), std::to_string(part.listed)}, FilePlace{file}};
 }
 
 /// Whatever the format: readers that know the line name it before.
@@ -136,10 +146,14 @@ void requireInRange(const Skeleton& skeleton, const std::string& file) {
   for (const NodeId id : skeleton.ids()) {
     const Node& node = skeleton[id];
     if (isInRange(node.position, node.radius)) continue;
-    std::ostringstream where;
-    where << file << ": a node at " << node.position.transpose() << ", with radius " << node.radius
-          << ": ";
-    throw outOfRange(where.str());
+    std::ostringstream place;
+    place << node.position.transpose();
+    std::ostringstream radius;
+    radius << node.radius;
+    throw ShownError({Shown::tr("a node at %1, with radius %2: its place or radius is beyond 1e12, "
+                                "as of no plant: correct or remove it"),
+                      {place.str(), radius.str()},
+                      FilePlace{file}});
   }
 }
 
@@ -158,13 +172,15 @@ MtgFrame frameOf(Imported<Mtg>& mtg, const std::string& file) {
   try {
     const MtgRows rows = mtgRows(mtg.value);
     if (rows.columns > mostTabs / std::max(rows.rows.size(), std::size_t{1}))
-      throw Error("its branches are nested too deeply");
+      throw ShownError({Shown::tr("its branches are nested too deeply")});
     std::ostringstream text;
     writeMtg(text, mtg.value);
     return {mtgAsWritten(mtg.value), std::move(text).str()};
   } catch (const Error& error) {
-    mtg.notes.push_back(file + ": cannot be written as MTG text (" + error.what() +
-                        "): a project keeps its skeleton, without the rest of the MTG");
+    mtg.notes.push_back({Shown::tr("cannot be written as MTG text (%1): a project keeps its "
+                                   "skeleton, without the rest of the MTG"),
+                         {error.what()},
+                         FilePlace{file}});
     return {std::move(mtg.value), {}};
   }
 }
@@ -183,8 +199,11 @@ const Format& formatToWrite(const std::filesystem::path& path, Content content) 
   if (const Format* format = formatOfName(path, isWanted)) return *format;
   const bool isAny = !path.has_extension() && isStream(path);
   if (isAny) return *std::ranges::find_if(formats(), isWanted);
-  throw Error(nameOf(path) + ": " + (content == Content::points ? "points" : "a structure") +
-              " cannot be written with this extension; choose one of " + listOf(isWanted));
+  refuse(path,
+         content == Content::points
+             ? Shown::tr("points cannot be written with this extension; choose one of %1")
+             : Shown::tr("a structure cannot be written with this extension; choose one of %1"),
+         {listOf(isWanted)});
 }
 
 Imported<PointCloud> readPoints(const std::filesystem::path& path, const Progress& progress) {
@@ -194,8 +213,10 @@ Imported<PointCloud> readPoints(const std::filesystem::path& path, const Progres
 void requireColumnsFit(const std::filesystem::path& path, const Format& format,
                        const std::vector<PointField>& columns) {
   if (!columns.empty() && format.glanceByColumns == nullptr)
-    throw Error(nameOf(path) + ": is " + std::string(format.name) +
-                ", which says itself what its columns hold: name columns of text files alone");
+    refuse(path,
+           Shown::tr("is %1, which says itself what its columns hold: name columns of text files "
+                     "alone"),
+           {std::string(format.name)});
 }
 
 ImportedCloud readPoints(const std::filesystem::path& path, const ReadOptions& options,
@@ -205,18 +226,20 @@ ImportedCloud readPoints(const std::filesystem::path& path, const ReadOptions& o
   requireColumnsFit(path, format, options.columns);
   ImportedPoints raw = format.readPoints(in, nameOf(path), options, progress.part(0, 0.6));
   const std::size_t kept = raw.value.positions.size();
-  if (kept == 0 && raw.listed > 0 && options.box) throw nothingIn(*options.box, path, raw.listed);
+  if (kept == 0 && raw.listed > 0 && options.box) refuseBox(*options.box, path, raw.listed);
   ImportedCloud result{
       {PointCloud(std::move(raw.value), progress.part(0.6, 1)), std::move(raw.notes)}, raw.listed};
   const auto finite = static_cast<std::size_t>(result.value.size());
-  if (kept == 0) throw Error(nameOf(path) + ": holds no points: export it again");
+  if (kept == 0) refuse(path, Shown::tr("holds no points: export it again"));
   if (finite == 0)
-    throw Error(nameOf(path) + ": holds " + counted(kept, "point") +
-                ", none of them finite: export it again");
-  if (std::string note = leftOutNote(result.value, kept, nameOf(path)); !note.empty())
-    result.notes.push_back(std::move(note));
+    refuse(path,
+           kept == 1 ? Shown::tr("holds 1 point, none of them finite: export it again")
+                     : Shown::tr("holds %1 points, none of them finite: export it again"),
+           {std::to_string(kept)});
+  if (auto note = leftOutNote(result.value, kept, nameOf(path)))
+    result.notes.push_back(*std::move(note));
   if (result.isPart(options)) result.notes.push_back(partNote(result, options, nameOf(path)));
-  for (std::string& note : scanNotes(result.value, nameOf(path)))
+  for (ShownMessage& note : scanNotes(result.value, nameOf(path)))
     result.notes.push_back(std::move(note));
   return result;
 }
@@ -265,8 +288,8 @@ void writeStructure(const std::filesystem::path& path, const Structure& structur
   const Format& format = formatToWrite(path, Content::structure);
   const bool isShapeless = isWithoutPositions(structure);
   if (isShapeless && format.writeMtg == nullptr)
-    throw Error(nameOf(path) + ": " + std::string(format.name) +
-                " needs positions, and the structure has none: choose MTG or OPF");
+    refuse(path, Shown::tr("%1 needs positions, and the structure has none: choose MTG or OPF"),
+           {std::string(format.name)});
   if (isShapeless && format.recognizes != isMtg)
     return writeAtomically(path,
                            [&](std::ostream& out) { format.writeMtg(out, structure.frame->mtg); });

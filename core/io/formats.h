@@ -57,7 +57,6 @@ struct Format {
   void (*writeStructure)(std::ostream&, const Skeleton&) = nullptr;
   void (*writeMtg)(std::ostream&, const Mtg&) = nullptr; // of a plant without positions
   Carried carried = {};                                  // by what writeStructure writes
-  std::string_view advice; // what to do with a file that cannot be read
 
   [[nodiscard]] bool canRead() const { return readPoints || readMtg || readStructure; }
   [[nodiscard]] bool canWrite() const {

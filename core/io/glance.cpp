@@ -80,8 +80,9 @@ GlanceGuess guessedUp(const std::vector<Eigen::Vector3d>& sample) {
 
 void requirePoints(const Format& format, const std::string& name) {
   if (format.content != Content::points)
-    throw Error(name + ": holds a structure (" + std::string(format.name) +
-                "), not points: choose a scan");
+    throw ShownError({Shown::tr("holds a structure (%1), not points: choose a scan"),
+                      {std::string(format.name)},
+                      FilePlace{name}});
 }
 
 } // namespace

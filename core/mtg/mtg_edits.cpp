@@ -1,6 +1,6 @@
 #include "core/mtg/mtg_edits.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/mtg/mtg_root_units.h"
 #include "core/mtg/mtg_rules.h"
 #include "core/mtg/mtg_scale_shift.h"
@@ -22,8 +22,9 @@ namespace {
 void requireFinite(const Skeleton& skeleton) {
   for (const NodeId id : skeleton.ids())
     if (!skeleton[id].position.allFinite() || !std::isfinite(skeleton[id].radius))
-      throw Error(nameOf(id) +
-                  " has a position or radius that is not finite: correct it before saving");
+      throw ShownError({espalier::Shown::tr("node %1 has a position or radius that is not finite: "
+                                            "correct it before saving"),
+                        {std::to_string(indexOf(id))}});
 }
 
 std::vector<int> scalesOf(const MtgView& view, const Skeleton& edited) {

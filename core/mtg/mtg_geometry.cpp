@@ -1,7 +1,6 @@
 #include "core/mtg/mtg_geometry.h"
 
 #include "core/base/coordinates.h"
-#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/mtg/mtg_lines.h"
 #include "core/mtg/mtg_values.h"
@@ -43,11 +42,16 @@ std::optional<double> mtgNumber(const MtgVertex& vertex, const MtgGeometry::Feat
   const std::string& text = vertex.values[*feature];
   const auto number = numberIn(text);
   if (!number)
-    throw Error(file + ": " + inQuotes(text) + " stands for a coordinate or radius of a vertex " +
-                vertex.symbol + ", expected a number");
+    throw ShownError({espalier::Shown::tr("%1 stands for a coordinate or radius of a vertex %2, "
+                                          "expected a number"),
+                      {inQuotes(text), vertex.symbol},
+                      FilePlace{file}});
   if (!std::isfinite(*number)) return std::nullopt;
   if (std::abs(*number) > largestCoordinate)
-    throw outOfRange(file + ": vertex " + mtgLabel(vertex) + ", " + inQuotes(text) + ": ");
+    throw ShownError({espalier::Shown::tr("vertex %1, %2: its place or radius is beyond 1e12, as "
+                                          "of no plant: correct or remove it"),
+                      {mtgLabel(vertex), inQuotes(text)},
+                      FilePlace{file}});
   return number;
 }
 

@@ -1,7 +1,5 @@
 #include "core/mtg/mtg_notes.h"
 
-#include "core/base/error.h"
-
 #include <utility>
 
 namespace espalier {
@@ -13,23 +11,29 @@ constexpr std::size_t mostRepairs = 20;
 
 MtgNotes::MtgNotes(std::string file, bool isStrict) : file_(std::move(file)), isStrict_(isStrict) {}
 
-void MtgNotes::repaired(const std::string& where, const std::string& what) {
-  if (isStrict_) throw Error(where + what);
-  if (++repairs_ <= mostRepairs) notes_.push_back(where + what);
+void MtgNotes::repaired(const FilePlace& where, ShownMessage what) {
+  what.where = where;
+  if (isStrict_) throw ShownError(std::move(what));
+  if (++repairs_ <= mostRepairs) notes_.push_back(std::move(what));
 }
 
-void MtgNotes::add(const std::string& what) {
-  notes_.push_back(file_ + ": " + what);
+void MtgNotes::add(ShownMessage what) {
+  what.where = FilePlace{file_};
+  notes_.push_back(std::move(what));
 }
 
-std::vector<std::string> MtgNotes::take() {
-  if (repairs_ > mostRepairs)
-    add(std::to_string(repairs_ - mostRepairs) + " more places were repaired");
+std::vector<ShownMessage> MtgNotes::take() {
+  if (repairs_ > mostRepairs) {
+    const std::size_t others = repairs_ - mostRepairs;
+    add({others == 1 ? espalier::Shown::tr("1 more place was repaired")
+                     : espalier::Shown::tr("%1 more places were repaired"),
+         {std::to_string(others)}});
+  }
   return std::exchange(notes_, {});
 }
 
-std::string mtgCell(const std::string& file, std::size_t line, std::size_t column) {
-  return file + ", line " + std::to_string(line) + ", column " + std::to_string(column + 1) + ": ";
+FilePlace mtgCell(const std::string& file, std::size_t line, std::size_t column) {
+  return {.file = file, .line = line, .column = column + 1};
 }
 
 } // namespace espalier

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/shown_message.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -12,25 +14,23 @@ class MtgNotes {
 public:
   explicit MtgNotes(std::string file, bool isStrict);
 
-  /// @param where  "plant.mtg, line 12, column 3: "
-  /// @throws Error with this text if nothing is to be repaired
-  void repaired(const std::string& where, const std::string& what);
+  /// @throws ShownError with this text if nothing is to be repaired
+  void repaired(const FilePlace& where, ShownMessage what);
 
-  void add(const std::string& what); // of the whole file
+  void add(ShownMessage what); // of the whole file
 
-  [[nodiscard]] std::vector<std::string> take(); // all, in order
+  [[nodiscard]] std::vector<ShownMessage> take(); // all, in order
 
   [[nodiscard]] const std::string& file() const { return file_; }
 
 private:
   std::string file_;
   bool isStrict_;
-  std::vector<std::string> notes_;
+  std::vector<ShownMessage> notes_;
   std::size_t repairs_ = 0;
 };
 
-/// "plant.mtg, line 12, column 3: ", for the start of messages; columns are those of a spreadsheet,
-/// from 0 here.
-[[nodiscard]] std::string mtgCell(const std::string& file, std::size_t line, std::size_t column);
+/// For messages; columns are those of a spreadsheet, from 0 here.
+[[nodiscard]] FilePlace mtgCell(const std::string& file, std::size_t line, std::size_t column);
 
 } // namespace espalier

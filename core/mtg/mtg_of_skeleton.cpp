@@ -63,7 +63,7 @@ bool hasScales(const Structure& structure) {
 
 bool isWithoutPositions(const Structure& structure) {
   return structure.frame && structure.skeleton.isEmpty() &&
-         !hasPositions(structure.frame->mtg, "the MTG that was opened");
+         !hasPositions(structure.frame->mtg, "MTG");
 }
 
 Mtg mtgOf(const Skeleton& skeleton, MtgStyle style) {

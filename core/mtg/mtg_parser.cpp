@@ -1,6 +1,5 @@
 #include "core/mtg/mtg_parser.h"
 
-#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/base/utf16.h"
 #include "core/mtg/mtg_notes.h"
@@ -20,7 +19,7 @@ constexpr std::size_t mostSharedBytes = 100'000'000;
 ///
 /// So the cost of a vertex is bounded by the length of its line, whatever the section FEATURES
 /// says.
-MtgColumns columnsOf(const std::vector<std::string_view>& names, const std::string& where,
+MtgColumns columnsOf(const std::vector<std::string_view>& names, const FilePlace& where,
                      MtgNotes& notes, Mtg& mtg) {
   std::map<std::string, MtgFeature, std::less<>> declared;
   for (const MtgFeature& feature : mtg.features)
@@ -34,13 +33,15 @@ MtgColumns columnsOf(const std::vector<std::string_view>& names, const std::stri
     if (names[i].empty()) continue;
     columns.firstFeature = std::min(columns.firstFeature, i);
     if (!taken.emplace(names[i], features.size()).second) {
-      notes.repaired(where, "the column " + inQuotes(names[i]) + " stands there twice");
+      notes.repaired(
+          where, {espalier::Shown::tr("the column %1 stands there twice"), {inQuotes(names[i])}});
       continue;
     }
     const auto found = declared.find(names[i]);
     if (found == declared.end())
-      notes.repaired(where, "the feature " + inQuotes(names[i]) +
-                                " has a column but no type in FEATURES and is taken as ALPHA");
+      notes.repaired(where, {espalier::Shown::tr("the feature %1 has a column but no type in "
+                                                 "FEATURES and is taken as ALPHA"),
+                             {inQuotes(names[i])}});
     columns.features[i] = features.size();
     features.push_back(found == declared.end() ? MtgFeature{std::string(names[i]), "ALPHA"}
                                                : found->second);
@@ -58,14 +59,23 @@ MtgColumns readColumns(LineReader& lines, MtgNotes& notes, Mtg& mtg, std::size_t
     if (!line) break;
     const std::vector<std::string_view> names = mtgFields(*line);
     if (std::ranges::all_of(names, [](std::string_view name) { return name.empty(); })) continue;
-    const std::string where = place(notes.file(), lines.number());
+    const FilePlace where{notes.file(), lines.number()};
     if (isMtgColumnName(names.front())) return columnsOf(names, where, notes, mtg);
     std::string_view rest = names.front();
     if (isMtgColumnName(nextWord(rest)))
-      throw Error(where + "the columns are parted by blanks: put tabs between them");
-    throw Error(where + "expected the line of columns, ENTITY-CODE ..., found " + inQuotes(*line));
+      throw ShownError(
+          {espalier::Shown::tr("the columns are parted by blanks: put tabs between them"),
+           {},
+           where});
+    throw ShownError(
+        {espalier::Shown::tr("expected the line of columns, ENTITY-CODE ..., found %1"),
+         {inQuotes(*line)},
+         where});
   }
-  throw Error(notes.file() + ": ends before the columns of its section MTG: it is cut short");
+  throw ShownError(
+      {espalier::Shown::tr("ends before the columns of its section MTG: it is cut short"),
+       {},
+       FilePlace{notes.file()}});
 }
 
 /// Whether a field was meant as a code.
@@ -74,10 +84,13 @@ bool isCode(std::string_view field) {
 }
 
 /// What is wrong with a field among the values of a line without a code.
-std::string withoutCode(std::string_view field) {
-  if (!isCode(field) || numberIn(field)) return "values stand without a code before them";
-  return "the code " + inQuotes(field) +
-         " stands among the columns of values: move it to the left, or these to the right";
+ShownError withoutCode(std::string_view field, const FilePlace& where) {
+  if (!isCode(field) || numberIn(field))
+    return ShownError({espalier::Shown::tr("values stand without a code before them"), {}, where});
+  return ShownError({espalier::Shown::tr("the code %1 stands among the columns of values: move it "
+                                         "to the left, or these to the right"),
+                     {inQuotes(field)},
+                     where});
 }
 
 /// Reads the lines of the section MTG.
@@ -99,8 +112,11 @@ public:
       if (readLine(*line, lines.number(), row)) parsed_.lines.push_back(row);
     }
     if (nameless_ > 0)
-      notes_.add(std::to_string(nameless_) +
-                 " values stand in columns without a name and are left out");
+      notes_.add({nameless_ == 1 ? espalier::Shown::tr("1 value stands in a column without a "
+                                                       "name and is left out")
+                                 : espalier::Shown::tr("%1 values stand in columns without a "
+                                                       "name and are left out"),
+                  {std::to_string(nameless_)}});
   }
 
   [[nodiscard]] const MtgTopology& topology() const { return topology_; }
@@ -137,16 +153,18 @@ private:
     std::optional<std::size_t> column;
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (fields[i].empty()) continue;
-      if (i >= end && !column) throw Error(where(i) + withoutCode(fields[i]));
+      if (i >= end && !column) throw withoutCode(fields[i], where(i));
       if (i >= end) break;
       if (column && !isCode(fields[i])) {
-        notes_.repaired(where(i), inQuotes(fields[i]) +
-                                      " stands left of the columns of values and is left out");
+        notes_.repaired(where(i), {espalier::Shown::tr(
+                                       "%1 stands left of the columns of values and is left out"),
+                                   {inQuotes(fields[i])}});
         continue;
       }
       if (column)
-        throw Error(where(i) + "two codes stand in one line, " + inQuotes(fields[*column]) +
-                    " and " + inQuotes(fields[i]));
+        throw ShownError({espalier::Shown::tr("two codes stand in one line, %1 and %2"),
+                          {inQuotes(fields[*column]), inQuotes(fields[i])},
+                          where(i)});
       column = i;
     }
     return column;
@@ -176,9 +194,11 @@ private:
   void checkValue(std::string_view value, const MtgFeature& feature, MtgPlace place) const {
     if (!isNumberFeature(feature) || isMissingMtgValue(value) || numberIn(value)) return;
     const bool isComma = value.find(',') != std::string_view::npos;
-    throw Error(mtgCell(notes_.file(), place.line, place.column) + feature.name + " is " +
-                inQuotes(value) + ", expected a number" +
-                (isComma ? " with a decimal point, not a comma" : ""));
+    throw ShownError({isComma ? espalier::Shown::tr(
+                                    "%1 is %2, expected a number with a decimal point, not a comma")
+                              : espalier::Shown::tr("%1 is %2, expected a number"),
+                      {feature.name, inQuotes(value)},
+                      mtgCell(notes_.file(), place.line, place.column)});
   }
 
   /// Gives all of a range what its last vertex has.
@@ -187,8 +207,10 @@ private:
     if (values.empty()) return;
     shared_ += (indexOf(span.last) - indexOf(span.first)) * (bytes + 32 * values.size());
     if (shared_ > mostSharedBytes)
-      throw Error(mtgCell(notes_.file(), place.line, place.column) +
-                  "the ranges up to here share too many values: correct the index");
+      throw ShownError(
+          {espalier::Shown::tr("the ranges up to here share too many values: correct the index"),
+           {},
+           mtgCell(notes_.file(), place.line, place.column)});
     for (std::size_t i = indexOf(span.first); i < indexOf(span.last); ++i)
       mtg_.vertices[i].values = values;
   }
@@ -215,11 +237,25 @@ bool isLegal(const Mtg& mtg, const std::vector<VertexId>& disputed) {
 
 void noteDispute(const MtgTopology& topology, bool continues, MtgNotes& notes) {
   if (topology.disputed().empty()) return;
-  const std::string rule = continues ? "follow the vertex above them, as OpenAlea reads"
-                                     : "follow the column before, as the specification says";
-  notes.add(std::to_string(topology.disputed().size()) +
-            " codes with < but no ^ stand below others of their column, the first in line " +
-            std::to_string(topology.firstDispute().line) + ": they " + rule);
+  const std::string line = std::to_string(topology.firstDispute().line);
+  if (topology.disputed().size() == 1)
+    notes.add({continues ? espalier::Shown::tr(
+                               "1 code with < but no ^ stands below another of its column, in line "
+                               "%1: it follows the vertex above it, as OpenAlea reads")
+                         : espalier::Shown::tr(
+                               "1 code with < but no ^ stands below another of its column, in line "
+                               "%1: it follows the column before, as the specification says"),
+               {line}});
+  else
+    notes.add({continues ? espalier::Shown::tr(
+                               "%1 codes with < but no ^ stand below others of their column, the "
+                               "first in line %2: they follow the vertex above them, as OpenAlea "
+                               "reads")
+                         : espalier::Shown::tr(
+                               "%1 codes with < but no ^ stand below others of their column, the "
+                               "first in line %2: they follow the column before, as the "
+                               "specification says"),
+               {std::to_string(topology.disputed().size()), line}});
 }
 
 /// Reads the body by the dialect that is asked for, or by the one that makes a plant of it.
@@ -254,18 +290,20 @@ void readBody(ParsedMtg& parsed, MtgNotes& notes, const LineReader& lines, MtgDi
 } // namespace
 
 ParsedMtg parseMtg(std::string bytes, const std::string& file, const MtgReadOptions& options) {
-  if (trimmed(bytes).empty()) throw Error(file + ": is empty");
+  if (trimmed(bytes).empty())
+    throw ShownError({espalier::Shown::tr("is empty"), {}, FilePlace{file}});
   requireNoUtf16(bytes, file);
   ParsedMtg parsed{.source = mtgSource(std::move(bytes))};
   MtgNotes notes(file, options.isStrict);
-  for (const std::string& note : parsed.source.notes)
+  for (const ShownMessage& note : parsed.source.notes)
     notes.add(note);
   LineReader lines = mtgCodeIn(parsed.source.text).value_or(LineReader(parsed.source.text));
   parsed.mtg = readMtgSections(lines, notes);
   parsed.columns = readColumns(lines, notes, parsed.mtg, parsed.columnsStart);
   parsed.start = lines.offset();
   readBody(parsed, notes, lines, options.dialect);
-  if (parsed.mtg.vertices.empty()) throw Error(file + ": holds no vertices");
+  if (parsed.mtg.vertices.empty())
+    throw ShownError({espalier::Shown::tr("holds no vertices"), {}, FilePlace{file}});
   parsed.notes = notes.take();
   return parsed;
 }

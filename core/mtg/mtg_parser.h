@@ -33,7 +33,7 @@ struct ParsedMtg {
   std::vector<MtgLine> lines;
   std::size_t columnsStart = 0; // first byte of the line of columns
   std::size_t start = 0;        // byte behind it
-  std::vector<std::string> notes;
+  std::vector<ShownMessage> notes;
 };
 
 /// As `readMtg`, which see.

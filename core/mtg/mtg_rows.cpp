@@ -1,6 +1,6 @@
 #include "core/mtg/mtg_rows.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/mtg/mtg_lines.h"
 
 #include <algorithm>
@@ -69,10 +69,12 @@ private:
 
   [[noreturn]] void refuse(VertexId id) const {
     const MtgVertex& vertex = at(id);
-    throw Error("the vertex " + mtgLabel(vertex) + " of scale " + std::to_string(vertex.scale) +
-                " is attached to " + mtgLabel(at(*vertex.parent)) +
-                ", but what it is a part of is not attached there: no MTG text can say that; join "
-                "both to one unit, or let the unit begin there");
+    throw ShownError(
+        {espalier::Shown::tr(
+             "the vertex %1 of scale %2 is attached to %3, but what it is a part of "
+             "is not attached there: no MTG text can say that; join both to one "
+             "unit, or let the unit begin there"),
+         {mtgLabel(vertex), std::to_string(vertex.scale), mtgLabel(at(*vertex.parent))}});
   }
 
   const Mtg& mtg_;
@@ -184,8 +186,8 @@ private:
 MtgRows mtgRows(const Mtg& mtg) {
   MtgRows result = Layout(mtg).rows();
   if (result.rows.size() != mtg.vertices.size())
-    throw Error(
-        "the units of the plant are attached to each other in a ring: no MTG text can say that");
+    throw ShownError({espalier::Shown::tr(
+        "the units of the plant are attached to each other in a ring: no MTG text can say that")});
   return result;
 }
 

@@ -1,7 +1,5 @@
 #include "core/mtg/mtg_sections.h"
 
-#include "core/base/error.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -53,19 +51,24 @@ std::string typeOf(std::string_view field) {
   return std::string(known == featureTypes.end() ? field : *known);
 }
 
-void checkCode(std::string_view line, const std::string& where) {
+void checkCode(std::string_view line, const FilePlace& where) {
   const std::vector<std::string_view> fields =
       filledFields(line.substr(std::min(line.find(':'), line.size() - 1) + 1));
   const std::string_view form = fields.empty() ? std::string_view() : fields.front();
   if (isSameWord(form, "FORM-B"))
-    throw Error(where + "the code FORM-B is older than the syntax of MTG files, which does not say "
-                        "how to read it: code the plant in FORM-A");
+    throw ShownError(
+        {espalier::Shown::tr("the code FORM-B is older than the syntax of MTG files, which does "
+                             "not say how to read it: code the plant in FORM-A"),
+         {},
+         where});
   if (!isSameWord(form, "FORM-A"))
-    throw Error(where + "only MTG files of code FORM-A can be read, this one is of code " +
-                inQuotes(form));
+    throw ShownError(
+        {espalier::Shown::tr("only MTG files of code FORM-A can be read, this one is of code %1"),
+         {inQuotes(form)},
+         where});
 }
 
-MtgClass classOf(std::string_view line, const std::string& where) {
+MtgClass classOf(std::string_view line, const FilePlace& where) {
   std::vector<std::string_view> fields = mtgFields(line);
   if (fields.size() < 2 || !numberIn(fields[1])) {
     const std::vector<std::string_view> words = wordsOf(line); // parted by blanks here and there
@@ -73,35 +76,54 @@ MtgClass classOf(std::string_view line, const std::string& where) {
   }
   MtgClass result;
   if (fields.size() < 2)
-    throw Error(where + "expected a symbol and its scale, found " + inQuotes(trimmed(line)));
+    throw ShownError({espalier::Shown::tr("expected a symbol and its scale, found %1"),
+                      {inQuotes(trimmed(line))},
+                      where});
   result.symbol = fields[0];
   const char* end = fields[1].data() + fields[1].size();
   const auto [stop, error] = std::from_chars(fields[1].data(), end, result.scale);
   if (stop != end || error != std::errc{} || result.scale < 0 || result.scale > finestScale)
-    throw Error(where + "expected the scale of " + inQuotes(result.symbol) +
-                ", a number from 0 to " + std::to_string(finestScale) + ", found " +
-                inQuotes(fields[1]));
+    throw ShownError(
+        {espalier::Shown::tr("expected the scale of %1, a number from 0 to %2, found %3"),
+         {inQuotes(result.symbol), std::to_string(finestScale), inQuotes(fields[1])},
+         where});
   if (result.symbol.size() > longestSymbol)
-    throw Error(where + "the symbol " + inQuotes(result.symbol) + " is too long");
+    throw ShownError(
+        {espalier::Shown::tr("the symbol %1 is too long"), {inQuotes(result.symbol)}, where});
   if (fields.size() > 2 && !fields[2].empty()) result.decomposition = fields[2];
   if (fields.size() > 3 && !fields[3].empty()) result.indexation = fields[3];
   if (fields.size() > 4 && !fields[4].empty()) result.definition = fields[4];
   return result;
 }
 
-void addFeature(const std::vector<std::string_view>& fields, const std::string& where,
+void addFeature(const std::vector<std::string_view>& fields, const FilePlace& where,
                 MtgNotes& notes, std::unordered_set<std::string>& known, Mtg& mtg) {
   MtgFeature feature{std::string(fields[0]), "ALPHA"};
   if (fields.size() > 1)
     feature.type = typeOf(fields[1]);
   else
-    notes.repaired(where,
-                   "the feature " + inQuotes(feature.name) + " has no type and is taken as ALPHA");
+    notes.repaired(where, {espalier::Shown::tr("the feature %1 has no type and is taken as ALPHA"),
+                           {inQuotes(feature.name)}});
   if (fields.size() > 2) feature.file = fields[2];
   if (known.insert(feature.name).second)
     mtg.features.push_back(std::move(feature));
   else
-    notes.repaired(where, "the feature " + inQuotes(feature.name) + " is listed twice");
+    notes.repaired(
+        where, {espalier::Shown::tr("the feature %1 is listed twice"), {inQuotes(feature.name)}});
+}
+
+/// Refuses what stands before the line of the code.
+void checkBeginning(std::string_view line, std::string_view opened, const FilePlace& where) {
+  if (!opened.empty() && opened != "CODE")
+    throw ShownError({espalier::Shown::tr(
+                          "the section %1 stands before 'CODE : FORM-A': put that line at the top"),
+                      {std::string(opened)},
+                      where});
+  if (opened.empty() && !trimmed(line).empty())
+    throw ShownError(
+        {espalier::Shown::tr("expected 'CODE: FORM-A', found %1: is this an MTG file?"),
+         {inQuotes(trimmed(line))},
+         where});
 }
 
 /// Reads lines that are none of titles and empty lines.
@@ -109,7 +131,7 @@ class SectionReader {
 public:
   SectionReader(Mtg& mtg, MtgNotes& notes) : mtg_(mtg), notes_(notes) {}
 
-  void read(std::string_view line, std::string_view section, const std::string& where) {
+  void read(std::string_view line, std::string_view section, const FilePlace& where) {
     const std::vector<std::string_view> fields = filledFields(line);
     if (fields.empty()) return;
     const auto field = [&](std::size_t i) {
@@ -124,12 +146,13 @@ public:
   }
 
 private:
-  void addClass(MtgClass added, const std::string& where) {
+  void addClass(MtgClass added, const FilePlace& where) {
     if (symbols_.insert(added.symbol).second)
       mtg_.classes.push_back(std::move(added));
     else
-      notes_.repaired(where, "the class " + inQuotes(added.symbol) +
-                                 " is listed twice: the first line of it counts");
+      notes_.repaired(
+          where, {espalier::Shown::tr("the class %1 is listed twice: the first line of it counts"),
+                  {inQuotes(added.symbol)}});
   }
 
   Mtg& mtg_;
@@ -187,22 +210,20 @@ Mtg readMtgSections(LineReader& lines, MtgNotes& notes) {
   SectionReader reader(mtg, notes);
   std::string_view section;
   for (LineReader before = lines; const auto line = lines.next(); before = lines) {
-    const std::string where = place(notes.file(), lines.number());
+    const FilePlace where{notes.file(), lines.number()};
     const std::string_view opened = mtgSectionOf(*line);
-    if (section.empty() && !opened.empty() && opened != "CODE")
-      throw Error(where + "the section " + std::string(opened) +
-                  " stands before 'CODE : FORM-A': put that line at the top");
-    if (section.empty() && opened.empty() && !trimmed(*line).empty())
-      throw Error(where + "expected 'CODE: FORM-A', found " + inQuotes(trimmed(*line)) +
-                  ": is this an MTG file?");
+    if (section.empty()) checkBeginning(*line, opened, where);
     if (opened == "CODE") checkCode(*line, where);
     const bool isOfColumns = !section.empty() && isMtgColumnName(mtgFields(*line).front());
     if (isOfColumns) {
-      notes.repaired(where, "the line 'MTG :' is missing before that of the columns");
+      notes.repaired(
+          where, {espalier::Shown::tr("the line 'MTG :' is missing before that of the columns")});
       lines = before;
     }
     if (opened == "MTG" || isOfColumns) {
-      if (mtg.classes.empty()) throw Error(where + "no CLASSES are listed before the vertices");
+      if (mtg.classes.empty())
+        throw ShownError(
+            {espalier::Shown::tr("no CLASSES are listed before the vertices"), {}, where});
       return mtg;
     }
     if (!opened.empty())
@@ -210,7 +231,10 @@ Mtg readMtgSections(LineReader& lines, MtgNotes& notes) {
     else
       reader.read(*line, section, where);
   }
-  throw Error(notes.file() + ": has no section 'MTG:': it is no MTG file, or is cut short");
+  throw ShownError(
+      {espalier::Shown::tr("has no section 'MTG:': it is no MTG file, or is cut short"),
+       {},
+       FilePlace{notes.file()}});
 }
 
 } // namespace espalier

@@ -1,7 +1,5 @@
 #include "core/mtg/mtg_skeleton.h"
 
-#include "core/base/counted.h"
-#include "core/base/error.h"
 #include "core/mtg/mtg_geometry.h"
 
 #include <algorithm>
@@ -82,24 +80,20 @@ double radiusOf(const MtgVertex& vertex, const MtgGeometry& geometry, const std:
   return 0;
 }
 
-std::vector<std::string> notesOn(const Counts& counts, std::size_t interpolated,
-                                 const std::string& file) {
-  std::vector<std::string> notes;
-  if (interpolated > 0)
-    notes.push_back(file + ": " +
-                    counted(interpolated, "vertex has no position and is",
-                            "vertices have no position and are") +
-                    " put evenly between neighbors");
-  if (counts.unplaced > 0)
-    notes.push_back(file + ": " +
-                    counted(counts.unplaced, "vertex has no position and is",
-                            "vertices have no position and are") +
-                    " passed over");
-  if (counts.negative > 0)
-    notes.push_back(
-        file + ": " +
-        counted(counts.negative, "radius is negative and is", "radii are negative and are") +
-        " taken as not known");
+std::vector<ShownMessage> notesOn(const Counts& counts, std::size_t interpolated,
+                                  const std::string& file) {
+  std::vector<ShownMessage> notes;
+  const auto add = [&](std::size_t count, const char* one, const char* many) {
+    if (count > 0)
+      notes.push_back({count == 1 ? one : many, {std::to_string(count)}, FilePlace{file}});
+  };
+  add(interpolated,
+      espalier::Shown::tr("1 vertex has no position and is put evenly between neighbors"),
+      espalier::Shown::tr("%1 vertices have no position and are put evenly between neighbors"));
+  add(counts.unplaced, espalier::Shown::tr("1 vertex has no position and is passed over"),
+      espalier::Shown::tr("%1 vertices have no position and are passed over"));
+  add(counts.negative, espalier::Shown::tr("1 radius is negative and is taken as not known"),
+      espalier::Shown::tr("%1 radii are negative and are taken as not known"));
   return notes;
 }
 
@@ -162,8 +156,10 @@ void refuseManyScales(const Mtg& mtg, const std::string& file) {
   std::set<int> scales;
   for (const MtgVertex& vertex : mtg.vertices)
     if (scales.insert(vertex.scale).second && scales.size() > mostScales)
-      throw Error(file + ": its vertices are of more than " + std::to_string(mostScales) +
-                  " scales: check the section CLASSES");
+      throw ShownError({espalier::Shown::tr(
+                            "its vertices are of more than %1 scales: check the section CLASSES"),
+                        {std::to_string(mostScales)},
+                        FilePlace{file}});
 }
 
 } // namespace
@@ -185,9 +181,12 @@ Imported<MtgView> viewOf(const Mtg& mtg, const std::string& file) {
   const MtgGeometry geometry(mtg);
   const std::optional<int> scale = finestPositionedScale(mtg, geometry, file);
   if (!scale)
-    throw Error(file + ": none of its vertices has a position, in features XX, YY and ZZ: it "
-                       "describes a plant without its shape, which can be shown, reported (info) "
-                       "and written as MTG or OPF");
+    throw ShownError({espalier::Shown::tr("none of its vertices has a position, in features XX, YY "
+                                          "and ZZ: it describes a plant without its shape, which "
+                                          "can be shown, reported (info) and written as MTG or "
+                                          "OPF"),
+                      {},
+                      FilePlace{file}});
   refuseManyScales(mtg, file);
   Imported<MtgView> result{{.scale = *scale}, {}};
   MtgView& view = result.value;
@@ -217,7 +216,7 @@ Imported<MtgView> viewOf(const Mtg& mtg, const std::string& file) {
 }
 
 MtgView openedView(const Mtg& mtg) {
-  const std::string file = "the MTG that was opened";
+  const std::string file = "MTG";
   if (hasPositions(mtg, file)) return viewOf(mtg, file).value;
   MtgView view;
   for (const MtgClass& each : mtg.classes)

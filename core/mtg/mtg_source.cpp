@@ -115,17 +115,22 @@ MtgSource mtgSource(std::string bytes) {
   source.isLatin1 = !isUtf8(bytes);
   source.original = source.isLatin1 ? fromLatin1(bytes) : std::move(bytes);
   source.text = source.original;
-  if (source.isLatin1) source.notes.emplace_back("is no UTF-8 and is read as Latin-1");
+  if (source.isLatin1)
+    source.notes.push_back({espalier::Shown::tr("is no UTF-8 and is read as Latin-1")});
   if (source.text.find('\n') == std::string::npos) std::ranges::replace(source.text, '\r', '\n');
   const std::size_t end = source.text.find_last_not_of('\x1A');
   blank(source.text, end == std::string::npos ? 0 : end + 1, source.text.size()); // the end, in DOS
   const Comments comments = blankComments(source.text);
   if (comments.codes > 0)
-    source.notes.push_back(std::to_string(comments.codes) +
-                           " lines begin with # and hold codes: they are passed over whole");
+    source.notes.push_back(
+        {comments.codes == 1
+             ? espalier::Shown::tr("1 line begins with # and holds a code: it is passed over whole")
+             : espalier::Shown::tr(
+                   "%1 lines begin with # and hold codes: they are passed over whole"),
+         {std::to_string(comments.codes)}});
   if (comments.isOpen)
-    source.notes.emplace_back("a comment (# is not closed with #); it is taken to end at the next "
-                              "tab or line end");
+    source.notes.push_back({espalier::Shown::tr(
+        "a comment (# is not closed with #); it is taken to end at the next tab or line end")});
   return source;
 }
 

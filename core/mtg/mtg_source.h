@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/shown_message.h"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +13,7 @@ struct MtgSource {
   std::string original; // UTF-8, whatever the file was in
   std::string text;     // the same with blanks for comments, and \n where only \r ended lines
   bool isLatin1 = false;
-  std::vector<std::string> notes; // what was done to read it, a line each
+  std::vector<ShownMessage> notes; // what was done to read it; of the whole file
 };
 
 /// Takes the comments out of a file: from # to the next tab or line end, the whole line if # begins

@@ -76,7 +76,7 @@ std::optional<std::string> withMoreFeatures(const ParsedMtg& file,
   return text;
 }
 
-constexpr const char* resultName = "the edited text";
+constexpr const char* resultName = "MTG";
 
 bool isSamePlace(const MtgVertex& a, const MtgVertex& b) {
   return a.symbol == b.symbol && a.index == b.index && a.scale == b.scale &&
@@ -249,7 +249,7 @@ std::string encoded(std::string text, bool isLatin1) {
 
 std::string mtgTextWith(const std::string& original, const Mtg& edited,
                         const MtgReadOptions& options) {
-  ParsedMtg file = parseMtg(original, "the file to save into", options);
+  ParsedMtg file = parseMtg(original, "MTG", options);
   const bool isLatin1 = file.source.isLatin1;
   const auto withSections = [&]() -> std::optional<std::string> {
     auto text = withOtherCells(file, edited);

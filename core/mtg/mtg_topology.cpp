@@ -1,6 +1,5 @@
 #include "core/mtg/mtg_topology.h"
 
-#include "core/base/error.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -80,7 +79,7 @@ MtgSpan MtgTopology::add(std::string_view code, MtgPlace place) {
   while (!code.empty())
     follow(nextStep(code, place), path, place);
   if (mtg_.vertices.size() == first)
-    throw Error(cell(place) + "expected /, < or + and a label, as in '^<U2'");
+    fail(place, espalier::Shown::tr("expected /, < or + and a label, as in '^<U2'"));
   if (isDisputed) {
     if (disputed_.empty()) firstDispute_ = place;
     disputed_.push_back(VertexId{static_cast<std::uint32_t>(first)});
@@ -92,24 +91,33 @@ MtgSpan MtgTopology::add(std::string_view code, MtgPlace place) {
 
 VertexId MtgTopology::lastOf(MtgPlace place) const {
   const auto last = columnAt(place.column, place).last;
-  if (!last) throw Error(cell(place) + "nothing stands above the *");
+  if (!last) fail(place, espalier::Shown::tr("nothing stands above the *"));
   return *last;
 }
 
 void MtgTopology::name(const std::string& alias, VertexId vertex, MtgPlace place) {
   if (!aliases_.insert_or_assign(alias, vertex).second)
-    notes_.repaired(cell(place), "the alias " + inQuotes(alias) +
-                                     " is given again: from here on it means this vertex");
+    notes_.repaired(
+        cell(place),
+        {espalier::Shown::tr("the alias %1 is given again: from here on it means this vertex"),
+         {inQuotes(alias)}});
 }
 
-std::string MtgTopology::cell(MtgPlace place) const {
+FilePlace MtgTopology::cell(MtgPlace place) const {
   return mtgCell(notes_.file(), place.line, place.column);
+}
+
+void MtgTopology::fail(MtgPlace place, const char* sentence,
+                       std::vector<std::string> values) const {
+  throw ShownError({sentence, std::move(values), cell(place)});
 }
 
 MtgTopology::Column MtgTopology::columnAt(std::size_t wanted, MtgPlace place) const {
   if (wanted >= columns_.size())
-    throw Error(cell(place) + "this is attached to column " + std::to_string(wanted + 1) +
-                ", where nothing stands before it: move it to the left");
+    fail(place,
+         espalier::Shown::tr("this is attached to column %1, where nothing stands before it: move "
+                             "it to the left"),
+         {std::to_string(wanted + 1)});
   return columns_[wanted];
 }
 
@@ -124,19 +132,19 @@ MtgTopology::Path MtgTopology::pathOf(std::string_view& code, MtgPlace place) {
     code = trimmed(code.substr(1));
   }
   if (code.empty() || edges.find(code.front()) == std::string_view::npos)
-    throw Error(cell(place) + "expected /, < or + before " + inQuotes(code));
+    fail(place, espalier::Shown::tr("expected /, < or + before %1"), {inQuotes(code)});
   return path;
 }
 
 MtgTopology::Path MtgTopology::pathOfName(std::string_view& code, MtgPlace place) const {
   const std::size_t end = code.find(')');
   if (end == std::string_view::npos)
-    throw Error(cell(place) + "the name in " + inQuotes(code) + " is not closed with )");
+    fail(place, espalier::Shown::tr("the name in %1 is not closed with )"), {inQuotes(code)});
   const std::string alias(trimmed(code.substr(1, end - 1)));
   const auto found = aliases_.find(alias);
   if (found == aliases_.end())
-    throw Error(cell(place) + "no vertex before is named " + inQuotes(alias) +
-                " in the column Alias");
+    fail(place, espalier::Shown::tr("no vertex before is named %1 in the column Alias"),
+         {inQuotes(alias)});
   code = trimmed(code.substr(end + 1));
   const Column column{found->second, {{scaleOf(found->second), found->second}}};
   return {.before = column, .own = column, .isName = true, .span = {}};
@@ -163,8 +171,8 @@ MtgTopology::Step MtgTopology::nextStep(std::string_view& code, MtgPlace place) 
   Step step{.edge = code.front()};
   code.remove_prefix(1);
   if (edges.find(step.edge) == std::string_view::npos)
-    throw Error(cell(place) + inQuotes(std::string(1, step.edge)) +
-                " may stand only at the beginning of a code");
+    fail(place, espalier::Shown::tr("%1 may stand only at the beginning of a code"),
+         {inQuotes(std::string(1, step.edge))});
   if (step.edge != '/') {
     step.isShared = code.size() > 1 && code[0] == '.' && code[1] == step.edge;
     step.isRange = step.isShared || code.starts_with(step.edge);
@@ -204,16 +212,19 @@ void MtgTopology::followRange(const Step& step, const Label& label, Path& path, 
   const std::size_t steps =
       from && from->symbol == label.symbol ? stepsOf(from->index, label.index) : 0;
   if (steps == 0) {
-    notes_.repaired(cell(place), "the range to " + inQuotes(step.label) +
-                                     " does not count up from a vertex of its class: taken as a "
-                                     "single edge");
+    notes_.repaired(cell(place),
+                    {espalier::Shown::tr("the range to %1 does not count up from a vertex of its "
+                                         "class: taken as a single edge"),
+                     {inQuotes(step.label)}});
     addOne(label, step.edge, path, place);
     return;
   }
   inRanges_ += steps;
   if (inRanges_ > mostInRanges)
-    throw Error(cell(place) + "the ranges up to " + inQuotes(step.label) + " stand for more than " +
-                std::to_string(mostInRanges) + " vertices: correct the index");
+    fail(place,
+         espalier::Shown::tr(
+             "the ranges up to %1 stand for more than %2 vertices: correct the index"),
+         {inQuotes(step.label), std::to_string(mostInRanges)});
   const bool isOfThisCode = path.hasSpan && start == path.span.last;
   const VertexId first =
       isOfThisCode ? *start : VertexId{static_cast<std::uint32_t>(mtg_.vertices.size())};
@@ -259,15 +270,17 @@ MtgTopology::Label MtgTopology::labelOf(const Step& step, const Column& before, 
   const std::string_view symbol = withoutIndex(step.label);
   const std::string_view index = step.label.substr(symbol.size());
   if (!isSymbol(symbol))
-    throw Error(cell(place) + inQuotes(step.label) +
-                " begins with no symbol of the section CLASSES (" +
-                inQuotes(symbolsOf(mtg_.classes)) +
-                "): type one of these, and behind it its index, as in U1 or S16.1");
+    fail(place,
+         espalier::Shown::tr("%1 begins with no symbol of the section CLASSES (%2): type one of "
+                             "these, and behind it its index, as in U1 or S16.1"),
+         {inQuotes(step.label), inQuotes(symbolsOf(mtg_.classes))});
   if (!index.empty() && !LabelIndex::in(index))
-    throw Error(cell(place) + "the index in " + inQuotes(step.label) +
-                (hasLooseDot(index)
-                     ? " has a dot without a number on both sides: type it as in U16 or U16.1"
-                     : " is too large"));
+    fail(place,
+         hasLooseDot(index)
+             ? espalier::Shown::tr("the index in %1 has a dot without a number on both sides: type "
+                                   "it as in U16 or U16.1")
+             : espalier::Shown::tr("the index in %1 is too large"),
+         {inQuotes(step.label)});
   declare(symbol, step, before, place);
   return *knownLabel(step.label);
 }
@@ -282,10 +295,11 @@ void MtgTopology::declare(std::string_view symbol, const Step& step, const Colum
   else if (before.last)
     added.scale = scaleOf(*before.last);
   else
-    throw Error(cell(place) + inQuotes(step.label) + " is of no class, and follows nothing");
-  notes_.repaired(cell(place), "the class " + inQuotes(symbol) +
-                                   " is not declared and is taken to be of scale " +
-                                   std::to_string(added.scale));
+    fail(place, espalier::Shown::tr("%1 is of no class, and follows nothing"),
+         {inQuotes(step.label)});
+  notes_.repaired(cell(place), {espalier::Shown::tr(
+                                    "the class %1 is not declared and is taken to be of scale %2"),
+                                {inQuotes(symbol), std::to_string(added.scale)}});
   scales_.emplace(added.symbol, added.scale);
   scalesInUse_.insert(added.scale);
   mtg_.classes.push_back(std::move(added));
@@ -294,7 +308,7 @@ void MtgTopology::declare(std::string_view symbol, const Step& step, const Colum
 int MtgTopology::finerThan(int scale, MtgPlace place) const {
   const auto finer = scalesInUse_.upper_bound(scale);
   if (finer != scalesInUse_.end()) return *finer;
-  if (scale >= finestScale) throw Error(cell(place) + "there are too many scales");
+  if (scale >= finestScale) fail(place, espalier::Shown::tr("there are too many scales"));
   return scale + 1;
 }
 
@@ -336,13 +350,15 @@ VertexId MtgTopology::attach(const Label& label, char edge, const Column& before
   } else {
     vertex.complex = upTo(before.last, label.scale - 1);
     if (edge != '/' && !vertex.complex)
-      throw Error(cell(place) + inQuotes(label.symbol) + " is of scale " +
-                  std::to_string(label.scale) +
-                  ", and nothing stands before it that it could be attached to");
+      fail(place,
+           espalier::Shown::tr("%1 is of scale %2, and nothing stands before it that it could be "
+                               "attached to"),
+           {inQuotes(label.symbol), std::to_string(label.scale)});
     if (edge != '/')
-      notes_.repaired(cell(place), "no vertex of its scale stands before " +
-                                       inQuotes(edge + std::string(label.symbol)) +
-                                       ": it is taken as the first part of its unit (/)");
+      notes_.repaired(cell(place), {espalier::Shown::tr(
+                                        "no vertex of its scale stands before %1: it is taken as "
+                                        "the first part of its unit (/)"),
+                                    {inQuotes(edge + std::string(label.symbol))}});
     if (vertex.complex) linkFirstPart(vertex, id);
   }
   mtg_.vertices.push_back(std::move(vertex));

@@ -95,7 +95,9 @@ private:
   /// What a vertex was written after, and how: the same again means the same vertex, in full names.
   using Name = std::tuple<std::optional<VertexId>, char, std::string_view, std::vector<int>>;
 
-  [[nodiscard]] std::string cell(MtgPlace place) const;
+  [[nodiscard]] FilePlace cell(MtgPlace place) const;
+  [[noreturn]] void fail(MtgPlace place, const char* sentence,
+                         std::vector<std::string> values = {}) const;
   [[nodiscard]] Path pathOf(std::string_view& code, MtgPlace place);
   [[nodiscard]] Path pathOfName(std::string_view& code, MtgPlace place) const;
   [[nodiscard]] Column columnAt(std::size_t wanted, MtgPlace place) const;

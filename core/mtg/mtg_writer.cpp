@@ -1,6 +1,6 @@
 #include "core/mtg/mtg_writer.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/mtg/mtg_lines.h"
 #include "core/mtg/mtg_of_skeleton.h"
@@ -24,11 +24,16 @@ std::string joined(const std::vector<std::string>& fields) {
   return line + '\n';
 }
 
-void checkText(const std::string& text, const std::string& what) {
-  if (survivesMtg(text)) return;
-  throw Error(what + ' ' + inQuotes(text) +
-              " cannot stand in an MTG text: take out tabs, line ends, comment signs (# or ;) and "
-              "blanks around it");
+void checkText(const std::string& text, const char* refusal) {
+  if (!survivesMtg(text)) throw ShownError({refusal, {inQuotes(text)}});
+}
+
+void checkValue(const std::string& value, const MtgVertex& vertex) {
+  if (survivesMtg(value)) return;
+  throw ShownError({espalier::Shown::tr("the value of %1 %2 cannot stand in an MTG text: take out "
+                                        "tabs, line ends, comment signs (# or ;) and blanks around "
+                                        "it"),
+                    {mtgLabel(vertex), inQuotes(value)}});
 }
 
 std::vector<std::string> cellsOf(const std::vector<std::string>& values, const Mtg& mtg) {
@@ -71,14 +76,18 @@ std::string columnsOf(const Mtg& mtg, std::size_t columns) {
 void checkTexts(const Mtg& mtg) {
   for (const MtgFeature& feature : mtg.features)
     for (const std::string& text : {feature.name, feature.type, feature.file})
-      checkText(text, "the feature");
+      checkText(text, espalier::Shown::tr("the feature %1 cannot stand in an MTG text: take out "
+                                          "tabs, line ends, comment signs (# or ;) and blanks "
+                                          "around it"));
   for (const MtgVertex& vertex : mtg.vertices) {
-    checkText(vertex.alias, "the alias");
-    for (std::size_t i = 0; i < vertex.values.size(); ++i)
-      checkText(vertex.values[i], "the value of " + mtgLabel(vertex));
+    checkText(vertex.alias, espalier::Shown::tr("the alias %1 cannot stand in an MTG text: take "
+                                                "out tabs, line ends, comment signs (# or ;) and "
+                                                "blanks around it"));
+    for (const std::string& value : vertex.values)
+      checkValue(value, vertex);
     for (const auto& values : vertex.later)
       for (const std::string& value : values)
-        checkText(value, "the value of " + mtgLabel(vertex));
+        checkValue(value, vertex);
   }
 }
 
@@ -86,14 +95,16 @@ void checkTexts(const Mtg& mtg) {
 void checkClasses(const Mtg& mtg) {
   std::set<std::pair<std::string_view, int>> known;
   for (const MtgClass& each : mtg.classes) {
-    checkText(each.symbol, "the class");
+    checkText(each.symbol, espalier::Shown::tr("the class %1 cannot stand in an MTG text: take out "
+                                               "tabs, line ends, comment signs (# or ;) and "
+                                               "blanks around it"));
     known.insert({each.symbol, each.scale});
   }
   for (const MtgVertex& vertex : mtg.vertices)
     if (!known.contains({vertex.symbol, vertex.scale}))
-      throw Error("the vertex " + mtgLabel(vertex) + " is of scale " +
-                  std::to_string(vertex.scale) +
-                  ", but no class of this symbol and scale is listed: rename its class");
+      throw ShownError({espalier::Shown::tr("the vertex %1 is of scale %2, but no class of this "
+                                            "symbol and scale is listed: rename its class"),
+                        {mtgLabel(vertex), std::to_string(vertex.scale)}});
 }
 
 Mtg inOrderOf(const MtgRows& rows, const Mtg& mtg) {
@@ -115,12 +126,17 @@ Mtg inOrderOf(const MtgRows& rows, const Mtg& mtg) {
 /// one of another plant.
 void checkReadsBack(const std::string& text, const Mtg& expected) {
   if (expected.vertices.empty()) return; // a plant to be drawn; readers want one vertex at least
-  const ParsedMtg back = parseMtg(text, "the text to write");
+  const ParsedMtg back = parseMtg(text, "MTG");
   const auto [read, meant] = std::ranges::mismatch(back.mtg.vertices, expected.vertices);
   if (read == back.mtg.vertices.end() && meant == expected.vertices.end()) return;
-  throw Error("the vertex " + (meant == expected.vertices.end() ? "" : mtgLabel(*meant)) +
-              " would be read from MTG text as another: give its class a symbol that is not the "
-              "beginning of another one");
+  if (meant == expected.vertices.end())
+    throw ShownError({espalier::Shown::tr("more vertices would be read from MTG text than the "
+                                          "plant has: give each class a symbol that is not the "
+                                          "beginning of another one")});
+  throw ShownError(
+      {espalier::Shown::tr("the vertex %1 would be read from MTG text as another: give its class a "
+                           "symbol that is not the beginning of another one"),
+       {mtgLabel(*meant)}});
 }
 
 } // namespace

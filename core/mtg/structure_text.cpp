@@ -19,11 +19,13 @@ std::string textOf(const Mtg& mtg) {
 
 } // namespace
 
-Imported<Structure> structureOf(MtgFrame frame, std::vector<std::string> notes,
+Imported<Structure> structureOf(MtgFrame frame, std::vector<ShownMessage> notes,
                                 const std::string& file) {
   auto kept = std::make_shared<const MtgFrame>(std::move(frame));
   if (!hasPositions(kept->mtg, file)) {
-    notes.push_back(file + ": has no positions: it is a plant without its shape");
+    notes.push_back({espalier::Shown::tr("has no positions: it is a plant without its shape"),
+                     {},
+                     FilePlace{file}});
     return {{{}, std::move(kept)}, std::move(notes)};
   }
   Imported<Skeleton> skeleton = skeletonOf(kept->mtg, file);

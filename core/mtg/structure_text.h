@@ -13,7 +13,7 @@ namespace espalier {
 /// @param notes  that its reader had
 /// @param file   its name, for messages
 /// @throws Error if a value is no number, or as viewOf()
-[[nodiscard]] Imported<Structure> structureOf(MtgFrame frame, std::vector<std::string> notes,
+[[nodiscard]] Imported<Structure> structureOf(MtgFrame frame, std::vector<ShownMessage> notes,
                                               const std::string& file);
 
 /// The text of a structure as an MTG. One that came from an MTG keeps it: edits go back into it,

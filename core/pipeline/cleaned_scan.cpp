@@ -1,6 +1,6 @@
 #include "core/pipeline/cleaned_scan.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/cloud/repeated_points.h"
 #include "core/pipeline/clean_parts.h"
@@ -40,12 +40,14 @@ std::vector<CleaningRecord> runAll(const std::vector<const Step*>& steps, Pipeli
 PipelineState startOf(const std::shared_ptr<const PointCloud>& cloud,
                       const PipelineOptions& options, const Progress& progress) {
   requireKnown(options);
-  if (cloud->size() < 2) throw Error("a plant needs at least 2 points: check the scan");
+  if (cloud->size() < 2)
+    throw ShownError({espalier::Shown::tr("a plant needs at least 2 points: check the scan")});
   requireNearRoot(*cloud, options);
   PipelineState state = firstState(cloud, options);
   state.extent.scale = scaleOf(*cloud, options.leftOut, options.up, progress);
   if (state.extent.scale.spacing == 0)
-    throw Error("all points of the scan are at the same place: check the scan");
+    throw ShownError(
+        {espalier::Shown::tr("all points of the scan are at the same place: check the scan")});
   return state;
 }
 
@@ -109,10 +111,10 @@ CutPlot cutPlot(const std::shared_ptr<const PointCloud>& cloud,
   const StandingPoints standing = standingOf(state);
   const PlantParts parts = plantsOfState(state, bases, how, progress.part(0.5, 0.8));
   if (parts.sizes.empty())
-    throw Error("no stem is found from " + plainDecimal(how.slabFrom) + " to " +
-                plainDecimal(how.slabTo) +
-                " above the ground: choose other heights by plant.slab_from and plant.slab_to, or "
-                "say where plants stand");
+    throw ShownError({espalier::Shown::tr(
+                          "no stem is found from %1 to %2 above the ground: choose other heights "
+                          "by plant.slab_from and plant.slab_to, or say where plants stand"),
+                      {plainDecimal(how.slabFrom), plainDecimal(how.slabTo)}});
   for (std::size_t i = 0; i < parts.sizes.size(); ++i) {
     PipelineState own = state;
     own.isLeftOut.assign(own.isLeftOut.size(), true);

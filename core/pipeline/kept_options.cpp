@@ -1,6 +1,6 @@
 #include "core/pipeline/kept_options.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/pipeline/preset.h"
 
 #include <limits>
@@ -14,14 +14,15 @@ constexpr std::string_view upNames = "xyz"; // in the order of UpAxis
 
 UpAxis axisOf(const std::string& name) {
   const std::size_t axis = name.size() == 1 ? upNames.find(name) : std::string_view::npos;
-  if (axis == std::string_view::npos) throw Error("\"" + name + "\" is no axis that points up");
+  if (axis == std::string_view::npos)
+    throw ShownError({espalier::Shown::tr("\"%1\" is no axis that points up"), {name}});
   return static_cast<UpAxis>(axis);
 }
 
 Eigen::Vector3d rootIn(std::istream& in) {
   Eigen::Vector3d root;
   if (!(in >> root.x() >> root.y() >> root.z()) || !root.allFinite())
-    throw Error("the root of the plant is no place");
+    throw ShownError({espalier::Shown::tr("the root of the plant is no place")});
   return root;
 }
 
@@ -47,7 +48,7 @@ PipelineOptions keptOptions(const std::string& text) {
     else if (name == "root")
       ofScan.root = rootIn(in);
     else
-      throw Error("\"" + name + "\" is no option of a project");
+      throw ShownError({espalier::Shown::tr("\"%1\" is no option of a project"), {name}});
   }
   PipelineOptions options = readPreset(in);
   requireKnown(options);

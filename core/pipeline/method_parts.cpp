@@ -1,6 +1,6 @@
 #include "core/pipeline/method_parts.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/cloud/repeated_points.h"
 #include "core/graph/densities.h"
 
@@ -110,8 +110,8 @@ void followKept(Eigen::Matrix3Xf& places, const PipelineState& state) {
 
 void requirePlant(const std::vector<Eigen::Index>& kept) {
   if (kept.size() < 2)
-    throw Error("fewer than 2 points are left after cleaning: clean less, choose method none, or "
-                "bring points back");
+    throw ShownError({Shown::tr("fewer than 2 points are left after cleaning: clean less, choose "
+                                "method none, or bring points back")});
 }
 
 void reconstructKept(

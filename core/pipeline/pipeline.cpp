@@ -1,6 +1,6 @@
 #include "core/pipeline/pipeline.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/pipeline/method_parts.h"
 #include "core/pipeline/pipeline_start.h"
 #include "core/pipeline/plant_scale.h"
@@ -126,7 +126,8 @@ struct Pipeline::Kept {
   /// @throws Error if nothing can be made of the cloud
   void take(const std::shared_ptr<const PointCloud>& newCloud, const PipelineOptions& options) {
     requireKnown(options);
-    if (newCloud->size() < 2) throw Error("a plant needs at least 2 points: check the scan");
+    if (newCloud->size() < 2)
+      throw ShownError({espalier::Shown::tr("a plant needs at least 2 points: check the scan")});
     requireNearRoot(*newCloud, options);
     if (cloud != newCloud) forget(newCloud);
   }
@@ -137,7 +138,8 @@ struct Pipeline::Kept {
                      const std::string& last, const StepWatch& watch) {
     if (extent.scale.spacing == 0) {
       requirePlant(others(options.leftOut, cloud->size()));
-      throw Error("all points of the scan are at the same place: check the scan");
+      throw ShownError(
+          {espalier::Shown::tr("all points of the scan are at the same place: check the scan")});
     }
     Reconstruction result;
     result.scale = extent.scale;

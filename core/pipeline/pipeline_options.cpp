@@ -1,6 +1,7 @@
 #include "core/pipeline/pipeline_options.h"
 
 #include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/pipeline/method_parts.h"
 #include "core/pipeline/typed_value.h"
@@ -11,18 +12,19 @@
 namespace espalier {
 namespace {
 
-std::string optionNames(const Method& method) {
-  std::string names;
-  for (const Option& option : method.options)
-    names += (names.empty() ? "" : ", ") + option.name;
-  return names.empty() ? "it has none" : "choose one of " + names;
+/// With a few digits, for a message.
+std::string shortDecimal(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
 }
 
-void requireOption(const Step& step, const Method& method, const std::string& name) {
-  for (const Option& option : method.options)
-    if (option.name == name) return;
-  throw Error("method " + method.name + " of step " + step.name + " has no option \"" + name +
-              "\": " + optionNames(method));
+/// What is said of a value of a number that is out of range.
+const char* outOfRangeText(OptionKind kind) {
+  if (kind == OptionKind::count) return Shown::tr("%1 is %2: choose a whole number from %3 to %4");
+  if (kind == OptionKind::length)
+    return Shown::tr("%1 is %2: choose a value from %3 to %4 (the points are %5 apart)");
+  return Shown::tr("%1 is %2: choose a value from %3 to %4");
 }
 
 double checkedValue(const Step& step, const Option& option, double value, const PlantScale& scale) {
@@ -30,17 +32,13 @@ double checkedValue(const Step& step, const Option& option, double value, const 
   const bool isCounted = option.kind == OptionKind::count || option.takesWords();
   const bool isWhole = !isCounted || value == std::round(value);
   if (value >= least && value <= most && isWhole) return value;
-  std::ostringstream text;
-  if (option.takesWords()) {
-    text << step.name << '.' << option.name << " takes no " << value << ": choose one of "
-         << option.words();
-    throw Error(text.str());
-  }
-  text << step.name << '.' << option.name << " is " << value << ": choose "
-       << (option.kind == OptionKind::count ? "a whole number " : "a value ") << "from " << least
-       << " to " << most;
-  if (option.kind == OptionKind::length) text << " (the points are " << scale.spacing << " apart)";
-  throw Error(text.str());
+  const std::string name = step.name + "." + option.name;
+  if (option.takesWords())
+    throw ShownError({Shown::tr("%1 takes no %2: choose one of %3"),
+                      {name, shortDecimal(value), option.words()}});
+  throw ShownError({outOfRangeText(option.kind),
+                    {name, shortDecimal(value), shortDecimal(least), shortDecimal(most),
+                     shortDecimal(scale.spacing)}});
 }
 
 /// The option of that name of the method that is chosen, or else of another of the step. (Those of
@@ -55,32 +53,25 @@ const Option* optionNamed(const Step& step, const PipelineOptions& options,
   return found;
 }
 
-/// With a few digits, for a message.
-std::string shortDecimal(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 /// What is no value, and the line to type instead.
-Error noValue(const std::string& name, const std::string& text, OptionKind kind) {
+ShownError noValue(const std::string& name, const std::string& text, OptionKind kind) {
   const std::string_view digits = typedValue(text).digits;
   const std::string number(numberIn(digits) ? digits : "6");
-  const bool isLength = kind == OptionKind::length;
-  return Error(name + " must be a number" +
-               (isLength ? ", or a length as '6 spacings', '0.01 heights' or '38 mm'" : "") +
-               ", not " + inQuotes(text) + ": write " + name + "=" + number +
-               (isLength ? ", or " + name + "=" + number + "sp for spacings of the points" : ""));
+  return ShownError(
+      {kind == OptionKind::length
+           ? Shown::tr("%1 must be a number, or a length as '6 spacings', '0.01 heights' or '38 "
+                       "mm', not %2: write %1=%3, or %1=%3sp for spacings of the points")
+           : Shown::tr("%1 must be a number, not %2: write %1=%3"),
+       {name, inQuotes(text), number}});
 }
 
 /// A length in mm, cm or m where nobody knows what the coordinates are in.
-Error noUnit(const std::string& name, const std::string& text, const TypedValue& typed) {
+ShownError noUnit(const std::string& name, const std::string& text, const TypedValue& typed) {
   const double length = typed.amount * metersIn(typed.unit);
-  return Error(name + "=" + text +
-               ": the unit of the scan is not known: say it first (--unit, or Unit in "
-               "the window), or write " +
-               name + "=" + shortDecimal(1000 * length) + " for a scan in mm, " + name + "=" +
-               shortDecimal(length) + " for one in m");
+  return ShownError(
+      {Shown::tr("%1=%2: the unit of the scan is not known: say it first (--unit, or Unit in the "
+                 "window), or write %1=%3 for a scan in mm, %1=%4 for one in m"),
+       {name, text, shortDecimal(1000 * length), shortDecimal(length)}});
 }
 
 /// @param option  none: not known yet
@@ -127,8 +118,8 @@ void PipelineOptions::setText(const Step& in, const std::string& option, const s
   if (const Option* known = optionNamed(in, *this, option); known && known->takesWords()) {
     const std::optional<double> word = known->valueOf(text);
     if (!word)
-      throw Error(step + "." + option + " takes no \"" + text + "\": choose one of " +
-                  known->words());
+      throw ShownError({espalier::Shown::tr("%1 takes no \"%2\": choose one of %3"),
+                        {step + "." + option, text, known->words()}});
     settings[step][option] = fixedAt(*word);
     return;
   }
@@ -142,13 +133,27 @@ void requireKnown(const PipelineOptions& options) {
   for (const auto& [name, values] : options.settings) {
     const Step& step = stepNamed(name);
     for (const auto& [option, value] : values)
-      requireOption(step, chosenMethod(step, options), option);
+      (void)optionIn(step, chosenMethod(step, options), option);
   }
 }
 
 const Method& chosenMethod(const Step& step, const PipelineOptions& options) {
   const auto choice = options.methods.find(step.name);
   return choice == options.methods.end() ? step.methods.front() : methodNamed(step, choice->second);
+}
+
+const Option& optionIn(const Step& step, const Method& method, const std::string& name) {
+  std::string names;
+  for (const Option& option : method.options) {
+    if (option.name == name) return option;
+    names += (names.empty() ? "" : ", ") + option.name;
+  }
+  if (names.empty())
+    throw ShownError({espalier::Shown::tr("method %1 of step %2 has no option \"%3\": it has none"),
+                      {method.name, step.name, name}});
+  throw ShownError(
+      {espalier::Shown::tr("method %1 of step %2 has no option \"%3\": choose one of %4"),
+       {method.name, step.name, name, names}});
 }
 
 bool isOff(const Step& step, const PipelineOptions& options) {

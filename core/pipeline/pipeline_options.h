@@ -45,6 +45,11 @@ void requireKnown(const PipelineOptions& options);
 /// @throws Error naming what there is
 [[nodiscard]] const Method& chosenMethod(const Step& step, const PipelineOptions& options);
 
+/// The option of that name of a method of a step.
+/// @throws ShownError naming what there is
+[[nodiscard]] const Option& optionIn(const Step& step, const Method& method,
+                                     const std::string& name);
+
 /// Whether a step is optional, and does nothing.
 [[nodiscard]] bool isOff(const Step& step, const PipelineOptions& options);
 

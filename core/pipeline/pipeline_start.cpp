@@ -1,6 +1,6 @@
 #include "core/pipeline/pipeline_start.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/cloud/far_points.h"
 #include "core/cloud/repeated_points.h"
@@ -82,10 +82,12 @@ void requireNearRoot(const PointCloud& cloud, const PipelineOptions& options) {
   if (box.isEmpty()) return; // that no point is left is said when they are measured
   const double away = box.exteriorDistance(*options.root);
   if (away > box.diagonal().norm())
-    throw Error("the root lies " + plainDecimal(std::round(away)) +
-                (options.leftOut.isEmpty()
-                     ? " away from the scan: give a place in its coordinates"
-                     : " away from the points that are not set aside: give a place near them"));
+    throw ShownError(
+        {options.leftOut.isEmpty()
+             ? Shown::tr("the root lies %1 away from the scan: give a place in its coordinates")
+             : Shown::tr("the root lies %1 away from the points that are not set aside: give a "
+                         "place near them"),
+         {plainDecimal(std::round(away))}});
 }
 
 } // namespace espalier

@@ -1,7 +1,7 @@
 #include "core/pipeline/preset.h"
 
-#include "core/base/error.h"
 #include "core/base/printable.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 
 #include <nlohmann/json.hpp>
@@ -11,6 +11,7 @@
 #include <functional>
 #include <istream>
 #include <iterator>
+#include <optional>
 #include <ostream>
 #include <string_view>
 
@@ -21,7 +22,8 @@ using Json = nlohmann::ordered_json;
 
 void readStep(const std::string& step, const Json& choices, PipelineOptions& options) {
   (void)stepNamed(step);
-  if (!choices.is_object()) throw Error("\"" + step + "\" must hold an object of options");
+  if (!choices.is_object())
+    throw ShownError({Shown::tr("\"%1\" must hold an object of options"), {step}});
   if (const auto method = choices.find("method"); method != choices.end() && method->is_string()) {
     (void)methodNamed(stepNamed(step), method->get<std::string>());
     options.methods[step] = method->get<std::string>();
@@ -61,7 +63,8 @@ void readOption(const std::string& step, const std::string& name, const Json& va
     options.setText(stepNamed(step), name, value.get<std::string>(), meters);
     return;
   }
-  if (!value.is_number()) throw Error("\"" + step + "." + name + "\" must be a number");
+  if (!value.is_number())
+    throw ShownError({Shown::tr("\"%1\" must be a number"), {step + "." + name}});
   options.settings[step][name] = fixedAt(value.get<double>());
 }
 
@@ -110,16 +113,17 @@ std::size_t placeOfVastNumber(std::string_view text) {
   return text.size();
 }
 
-/// How a message begins that is about this place: "pine.json, line 3: ".
-using Where = std::function<std::string(const std::string& step, const std::string& name)>;
+/// Where a step, or an option of it, is in the file.
+using Where =
+    std::function<std::optional<FilePlace>(const std::string& step, const std::string& name)>;
 
 template <class Work>
 void located(const Where& where, const std::string& step, const std::string& name,
              const Work& work) {
   try {
     work();
-  } catch (const Error& error) {
-    throw Error(where(step, name) + error.what());
+  } catch (const ShownError& error) {
+    throw ShownError({error.message().sentence, error.message().values, where(step, name)});
   }
 }
 
@@ -142,36 +146,42 @@ PipelineOptions optionsIn(const Json& json, const Where& where, bool mustExist, 
   return options;
 }
 
-constexpr const char* notAPreset =
-    "a preset is a JSON object of steps, such as {\"contract\": {\"radius\": 12.5}}";
+constexpr const char* notAPreset = espalier::Shown::tr(
+    "a preset is a JSON object of steps, such as {\"contract\": {\"radius\": 12.5}}");
 
 } // namespace
 
 PipelineOptions readPreset(std::istream& in) {
   const auto json = Json::parse(in, nullptr, false);
-  if (!json.is_object()) throw Error(notAPreset);
-  const auto nowhere = [](const std::string&, const std::string&) { return std::string(); };
+  if (!json.is_object()) throw ShownError({notAPreset});
+  const auto nowhere = [](const std::string&, const std::string&) { return std::nullopt; };
   return optionsIn(json, nowhere, false, 0);
 }
 
 PipelineOptions readPreset(std::istream& in, const std::string& file, double meters) {
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   if (!isUtf8(text) || text.find('\0') != std::string::npos)
-    throw Error(file + ": is no text in UTF-8, but perhaps in UTF-16: save it as UTF-8");
-  const auto at = [&](std::size_t place) {
-    return file + ", line " + std::to_string(lineAt(text, place)) + ": ";
-  };
+    throw ShownError(
+        {espalier::Shown::tr("is no text in UTF-8, but perhaps in UTF-16: save it as UTF-8"),
+         {},
+         FilePlace{file}});
+  const auto at = [&](std::size_t place) { return FilePlace{file, lineAt(text, place)}; };
   Json json;
   try {
     json = Json::parse(text);
   } catch (const Json::parse_error& error) {
-    throw Error(at(error.byte > 0 ? error.byte - 1 : 0) + notAPreset +
-                "; the JSON breaks off here");
+    throw ShownError(
+        {espalier::Shown::tr("a preset is a JSON object of steps, such as {\"contract\": "
+                             "{\"radius\": 12.5}}; the JSON breaks off here"),
+         {},
+         at(error.byte > 0 ? error.byte - 1 : 0)});
   } catch (const Json::out_of_range&) { // the one that parsing knows: a number
-    throw Error(at(placeOfVastNumber(text)) +
-                "a number is too large: write one below 1e12, as no length is larger");
+    throw ShownError(
+        {espalier::Shown::tr("a number is too large: write one below 1e12, as no length is larger"),
+         {},
+         at(placeOfVastNumber(text))});
   }
-  if (!json.is_object()) throw Error(at(0) + notAPreset);
+  if (!json.is_object()) throw ShownError({notAPreset, {}, at(0)});
   const auto where = [&](const std::string& step, const std::string& name) {
     return at(placeOf(text, step, name));
   };

@@ -1,6 +1,6 @@
 #include "core/pipeline/registry.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/pipeline/methods.h"
 
 #include <algorithm>
@@ -126,17 +126,17 @@ const std::vector<Step>& pipelineSteps() {
 
 namespace {
 
-/// The named one of `all`; an Error that lists them otherwise.
 template <class Named>
-const Named& findNamed(const std::vector<Named>& all, std::string_view name,
-                       const std::string& what, const std::string& where = {}) {
+const Named* findNamed(const std::vector<Named>& all, std::string_view name) {
+  const auto found = std::ranges::find(all, name, &Named::name);
+  return found != all.end() ? &*found : nullptr;
+}
+
+template <class Named> std::string namesOfAll(const std::vector<Named>& all) {
   std::string names;
-  for (const Named& each : all) {
-    if (each.name == name) return each;
+  for (const Named& each : all)
     names += (names.empty() ? "" : ", ") + each.name;
-  }
-  throw Error("there is no " + what + " \"" + std::string(name) + "\"" + where +
-              ": choose one of " + names);
+  return names;
 }
 
 } // namespace
@@ -158,11 +158,15 @@ const Step& skeletonStep() {
 }
 
 const Step& stepNamed(std::string_view name) {
-  return findNamed(pipelineSteps(), name, "step");
+  if (const Step* step = findNamed(pipelineSteps(), name)) return *step;
+  throw ShownError({espalier::Shown::tr("there is no step \"%1\": choose one of %2"),
+                    {std::string(name), namesOfAll(pipelineSteps())}});
 }
 
 const Method& methodNamed(const Step& step, std::string_view name) {
-  return findNamed(step.methods, name, "method", " for step " + step.name);
+  if (const Method* method = findNamed(step.methods, name)) return *method;
+  throw ShownError({espalier::Shown::tr("there is no method \"%1\" for step %2: choose one of %3"),
+                    {std::string(name), step.name, namesOfAll(step.methods)}});
 }
 
 } // namespace espalier

@@ -1,6 +1,6 @@
 #include "core/pipeline/regrow.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/spatial_index.h"
 #include "core/graph/components.h"
 #include "core/pipeline/attach_grown.h"
@@ -58,13 +58,14 @@ bool isUnbranched(const Skeleton& skeleton) {
 std::vector<Eigen::Index> pointsAt(const Skeleton& skeleton, NodeId node, const PointCloud& cloud,
                                    const std::vector<Eigen::Index>& points, double reach,
                                    double widestGap, const Progress& progress) {
-  const Error nothing("no points around " + nameOf(node) +
-                      " are left by the rest of the plant: choose another node");
-  if (points.size() < fewestChosen) throw Error(nothing);
+  const ShownError nothing(
+      {Shown::tr("no points around node %1 are left by the rest of the plant: choose another node"),
+       {std::to_string(indexOf(node))}});
+  if (points.size() < fewestChosen) throw ShownError(nothing);
   const Eigen::Matrix3Xf positions = cloud.positions()(Eigen::all, points);
   const Eigen::Vector3f place = (skeleton[node].position - cloud.origin()).cast<float>();
   const Eigen::Index first = nearestPoint(positions, place);
-  if (static_cast<double>((positions.col(first) - place).norm()) > reach) throw Error(nothing);
+  if (static_cast<double>((positions.col(first) - place).norm()) > reach) throw ShownError(nothing);
   const NeighborhoodGraph parts(positions, partLinks, progress.part(0, 0.7));
   const auto gap = static_cast<float>(widestGap);
   std::vector<Eigen::Index> together;
@@ -72,7 +73,7 @@ std::vector<Eigen::Index> pointsAt(const Skeleton& skeleton, NodeId node, const 
   for (const Eigen::Index found :
        pointsLinkedTo(joined(parts, positions, gap, progress.part(0.7, 1)), first, gap, isMet))
     together.push_back(points[static_cast<std::size_t>(found)]);
-  if (together.size() < fewestChosen) throw Error(nothing);
+  if (together.size() < fewestChosen) throw ShownError(nothing);
   return together;
 }
 
@@ -121,12 +122,15 @@ Skeleton regrown(const Skeleton& skeleton, NodeId node,
     best = branches.front().part;
   }
   if (best.isEmpty())
-    throw Error("nothing grows from " + nameOf(node) +
-                ": choose another node, or prune less in the pipeline");
+    throw ShownError(
+        {Shown::tr(
+             "nothing grows from node %1: choose another node, or prune less in the pipeline"),
+         {std::to_string(indexOf(node))}});
   const double slight = 0.25 * whole.spacing; // less is chance
   if (isChain && least > meanDistance(*cloud, points, before) + slight)
-    throw Error("what " + nameOf(node) +
-                " carries follows the points better than what would grow: " + "it stays as it is");
+    throw ShownError({Shown::tr("what node %1 carries follows the points better than what would "
+                                "grow: it stays as it is"),
+                      {std::to_string(indexOf(node))}});
   return best;
 }
 

@@ -1,6 +1,6 @@
 #include "core/pipeline/step_graph.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/pipeline/method_parts.h"
 #include "core/pipeline/pipeline_start.h"
 #include "core/skeleton/finite_node.h"
@@ -15,10 +15,10 @@ namespace {
 void requireFinite(const Skeleton& skeleton, const ChosenStep& choice) {
   for (const NodeId id : skeleton.ids())
     if (!isFinite(skeleton[id]))
-      throw Error("step " + choice.step->name + ", method " + choice.method.method->name +
-                  ": node " + std::to_string(indexOf(id)) +
-                  " gets a position or radius that is not finite: choose another method, and check "
-                  "the scan for many points at one place");
+      throw ShownError(
+          {Shown::tr("step %1, method %2: node %3 gets a position or radius that is not finite: "
+                     "choose another method, and check the scan for many points at one place"),
+           {choice.step->name, choice.method.method->name, std::to_string(indexOf(id))}});
 }
 
 /// After a step that left out more than strays.
@@ -85,7 +85,8 @@ void measure(PipelineState& state, const Progress& progress) {
   state.extent =
       plantExtent(*left, SpatialIndex(left->positions(), progress.part(1, 1)), {}, state.up);
   if (state.extent.scale.spacing == 0)
-    throw Error("all points that are left after cleaning are at the same place: clean less");
+    throw ShownError({espalier::Shown::tr(
+        "all points that are left after cleaning are at the same place: clean less")});
 }
 
 void runSteps(const std::vector<ChosenStep>& steps, PipelineState& state,

@@ -66,14 +66,8 @@ std::vector<double> sweepValues(const Option& option, const PlantScale& scale, i
 
 const Option& optionOfChosen(const PipelineOptions& options, const std::string& step,
                              const std::string& option) {
-  const Method& method = chosenMethod(stepNamed(step), options);
-  std::string names;
-  for (const Option& each : method.options) {
-    if (each.name == option) return each;
-    names += (names.empty() ? "" : ", ") + each.name;
-  }
-  throw Error("method " + method.name + " of step " + step + " has no option \"" + option +
-              "\": " + (names.empty() ? "it has none" : "choose one of " + names));
+  const Step& in = stepNamed(step);
+  return optionIn(in, chosenMethod(in, options), option);
 }
 
 PlantScale scaleAt(const Step& step, Pipeline& pipeline,

@@ -1,7 +1,7 @@
 #include "core/project/content_hash.h"
 
-#include "core/base/error.h"
 #include "core/base/open_for_reading.h"
+#include "core/base/shown_message.h"
 
 #include <cstddef>
 #include <memory>
@@ -30,7 +30,10 @@ std::uint64_t contentHashOfFile(const std::filesystem::path& path, const Progres
     in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     XXH64_update(state.get(), buffer.data(), static_cast<std::size_t>(in.gcount()));
   }
-  if (!in.eof()) throw Error(path.string() + ": breaks off while it is read: try a copy of it");
+  if (!in.eof())
+    throw ShownError({espalier::Shown::tr("breaks off while it is read: try a copy of it"),
+                      {},
+                      FilePlace{path.string()}});
   return XXH64_digest(state.get());
 }
 

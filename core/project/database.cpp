@@ -7,26 +7,31 @@
 namespace espalier {
 namespace {
 
-std::string adviceFor(int code) {
+/// What to try, and with %1 what SQLite says.
+const char* adviceFor(int code) {
   switch (code & 0xFF) {
   case SQLITE_FULL:
-    return "the disk is full: free some room, or save elsewhere";
+    return espalier::Shown::tr("the disk is full: free some room, or save elsewhere (%1)");
   case SQLITE_READONLY:
   case SQLITE_PERM:
-    return "it may only be read: allow writing to it and its folder, or save elsewhere";
+    return espalier::Shown::tr(
+        "it may only be read: allow writing to it and its folder, or save elsewhere (%1)");
   case SQLITE_CANTOPEN:
-    return "it cannot be opened: check that its folder exists and may be written to";
+    return espalier::Shown::tr(
+        "it cannot be opened: check that its folder exists and may be written to (%1)");
   case SQLITE_BUSY:
   case SQLITE_LOCKED:
-    return "another program is writing to it: close that, or save elsewhere";
+    return espalier::Shown::tr(
+        "another program is writing to it: close that, or save elsewhere (%1)");
   case SQLITE_IOERR:
-    return "the disk does not do what it is asked: check it, or save elsewhere";
+    return espalier::Shown::tr(
+        "the disk does not do what it is asked: check it, or save elsewhere (%1)");
   case SQLITE_TOOBIG:
-    return "something in it is too big to be kept";
+    return espalier::Shown::tr("something in it is too big to be kept (%1)");
   case SQLITE_NOMEM:
-    return "there is not enough memory: close other programs";
+    return espalier::Shown::tr("there is not enough memory: close other programs (%1)");
   default:
-    return "this should not happen: save elsewhere, and report it";
+    return espalier::Shown::tr("this should not happen: save elsewhere, and report it (%1)");
   }
 }
 
@@ -34,11 +39,15 @@ std::string adviceFor(int code) {
   const std::string detail = database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(code);
   switch (code & 0xFF) {
   case SQLITE_NOTADB:
-    throw DamagedFile(file + ": is no project of Espalier: choose another file");
+    throw DamagedFile({espalier::Shown::tr("is no project of Espalier: choose another file"),
+                       {},
+                       FilePlace{file}});
   case SQLITE_CORRUPT:
-    throw DamagedFile(file + ": is damaged (" + detail + "): take a copy of it if you have one");
+    throw DamagedFile({espalier::Shown::tr("is damaged (%1): take a copy of it if you have one"),
+                       {detail},
+                       FilePlace{file}});
   default:
-    throw Error(file + ": " + adviceFor(code) + " (" + detail + ")");
+    throw ShownError({adviceFor(code), {detail}, FilePlace{file}});
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -17,9 +17,9 @@ namespace espalier {
 enum class Opening : std::uint8_t { frozen, readOnly, readWrite, created };
 
 /// The file is no database, or bytes of it have changed.
-class DamagedFile : public Error {
+class DamagedFile : public ShownError {
 public:
-  using Error::Error;
+  using ShownError::ShownError;
 };
 
 /// One statement of SQL. Columns and parameters count from 0 and 1, as SQLite's do.

@@ -1,7 +1,7 @@
 #include "core/project/node_bytes.h"
 
 #include "core/base/coordinates.h"
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/project/content_hash.h"
 #include "core/project/history.h"
 #include "core/skeleton/finite_node.h"
@@ -55,12 +55,16 @@ bool isReadable(const Node& node) {
 /// What a reader takes for damage is not written.
 /// @throws Error if a reader would refuse the node, or its id
 void requireSound(NodeId id, const Node& node) {
-  const std::string name = nameOf(id);
+  const std::string number = std::to_string(indexOf(id));
   if (!isReadable(node))
-    throw Error(name + " has a position or radius that is not finite or too large, which a project "
-                       "cannot keep: undo what made it");
+    throw ShownError({espalier::Shown::tr("node %1 has a position or radius that is not finite or "
+                                          "too large, which a project cannot keep: undo what made "
+                                          "it"),
+                      {number}});
   if (indexOf(id) >= mostIds || (node.parent && indexOf(*node.parent) >= mostIds))
-    throw Error(name + " has a number too large for a project: start a new project with the plant");
+    throw ShownError({espalier::Shown::tr("node %1 has a number too large for a project: start a "
+                                          "new project with the plant"),
+                      {number}});
 }
 
 std::uint8_t indexFlag(const Entity& entity) {

@@ -1,6 +1,6 @@
 #include "core/project/point_bytes.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 
 #include <bit>
 #include <cstring>
@@ -18,7 +18,7 @@ template <class T> void append(std::string& bytes, std::span<const T> values) {
 
 template <class T> void take(std::string_view& bytes, std::span<T> values) {
   if (bytes.size() < values.size_bytes())
-    throw Error("stored points end too early: open the scan again");
+    throw ShownError({espalier::Shown::tr("stored points end too early: open the scan again")});
   if (values.empty()) return;
   std::memcpy(values.data(), bytes.data(), values.size_bytes());
   bytes.remove_prefix(values.size_bytes());
@@ -27,7 +27,7 @@ template <class T> void take(std::string_view& bytes, std::span<T> values) {
 /// A vector of `count` values, which the bytes must hold.
 template <class T> std::vector<T> taken(std::string_view& bytes, std::uint64_t count) {
   if (count > bytes.size() / sizeof(T))
-    throw Error("stored points end too early: open the scan again");
+    throw ShownError({espalier::Shown::tr("stored points end too early: open the scan again")});
   std::vector<T> values(count);
   take(bytes, std::span<T>(values));
   return values;
@@ -49,7 +49,8 @@ void appendStations(std::string& bytes, const PointCloud& cloud) {
 void takeStations(std::string_view& bytes, StoredPoints& stored) {
   const std::vector<std::uint64_t> sizes = taken<std::uint64_t>(bytes, 2);
   if (sizes[0] > mostStations)
-    throw Error("stored points have too many stations: open the scan again");
+    throw ShownError(
+        {espalier::Shown::tr("stored points have too many stations: open the scan again")});
   for (std::uint64_t i = 0; i < sizes[0]; ++i) {
     const std::vector<std::uint64_t> head = taken<std::uint64_t>(bytes, 2);
     const std::vector<char> name = taken<char>(bytes, head[0]);
@@ -69,14 +70,17 @@ std::span<const float> coordinatesOf(const Eigen::Matrix3Xf& positions) {
 
 Eigen::Matrix3Xf takenPositions(std::string_view& bytes, std::uint64_t count) {
   constexpr std::size_t each = 3 * sizeof(float);
-  if (count > bytes.size() / each) throw Error("stored points end too early: open the scan again");
+  if (count > bytes.size() / each)
+    throw ShownError({espalier::Shown::tr("stored points end too early: open the scan again")});
   Eigen::Matrix3Xf positions(3, static_cast<Eigen::Index>(count));
   take(bytes, std::span<float>(positions.data(), static_cast<std::size_t>(positions.size())));
   return positions;
 }
 
 void requireEnd(std::string_view bytes) {
-  if (!bytes.empty()) throw Error("stored points are followed by more: open the scan again");
+  if (!bytes.empty())
+    throw ShownError(
+        {espalier::Shown::tr("stored points are followed by more: open the scan again")});
 }
 
 } // namespace
@@ -117,7 +121,8 @@ std::string bytesOf(const Eigen::Matrix3Xf& positions) {
 Eigen::Matrix3Xf positionsFrom(std::string_view bytes) {
   Eigen::Matrix3Xf positions = takenPositions(bytes, bytes.size() / (3 * sizeof(float)));
   requireEnd(bytes);
-  if (!positions.allFinite()) throw Error("stored points are not all finite: make them again");
+  if (!positions.allFinite())
+    throw ShownError({espalier::Shown::tr("stored points are not all finite: make them again")});
   return positions;
 }
 

@@ -120,7 +120,7 @@ Project Project::create(const fs::path& path, const History& history) {
     const Database database(made, Opening::created);
     upgradeSchema(database);
     Transaction transaction(database);
-    insertHistory(database, history);
+    insertHistory(database, history, path.string());
     transaction.commit();
   } catch (...) {
     std::error_code ignored;
@@ -134,7 +134,9 @@ Project Project::create(const fs::path& path, const History& history) {
   fs::rename(made, target, failed);
   if (failed) {
     fs::remove(made);
-    throw Error(path.string() + ": cannot be written: " + failed.message() + "; try another place");
+    throw ShownError({espalier::Shown::tr("cannot be written: %1; try another place"),
+                      {failed.message()},
+                      FilePlace{path.string()}});
   }
   return {target, Access::readWrite, std::move(lock)};
 }
@@ -144,7 +146,10 @@ Project Project::open(const fs::path& path, Access access) {
   if (access == Access::readWrite) {
     requireReadable(path);
     if (::access(path.c_str(), W_OK) != 0)
-      throw Error(path.string() + ": may only be read: open it to read only, or open a copy");
+      throw ShownError(
+          {espalier::Shown::tr("may only be read: open it to read only, or open a copy"),
+           {},
+           FilePlace{path.string()}});
     lock = std::make_unique<ProjectLock>(path);
   }
   return {whole(path), access, std::move(lock)};
@@ -155,7 +160,7 @@ void Project::reset(const Skeleton& skeleton) {
   Transaction transaction(database_);
   for (const char* table : {"snapshot", "journal", "position"})
     database_.execute(std::string("DELETE FROM ") + table);
-  insertHistory(database_, {.skeleton = skeleton});
+  insertHistory(database_, {.skeleton = skeleton}, path_.string());
   transaction.commit();
 }
 
@@ -209,8 +214,9 @@ std::string Project::bytes(std::string_view name) const {
     const std::string_view piece = rows.bytes(2);
     if (rows.integer(0) != part ||
         std::bit_cast<std::uint64_t>(rows.integer(1)) != contentHash(piece))
-      throw DamagedFile(path_.string() + ": its \"" + std::string(name) +
-                        "\" are damaged: make them again");
+      throw DamagedFile({espalier::Shown::tr("its \"%1\" are damaged: make them again"),
+                         {std::string(name)},
+                         FilePlace{path_.string()}});
     result += piece;
   }
   return result;
@@ -280,17 +286,20 @@ void Project::compact() {
 }
 
 void Project::requireSameFile() const {
+  const auto refuse = [&](const char* sentence) {
+    throw ShownError({sentence, {}, FilePlace{path_.string()}});
+  };
   if (access_ == Access::readOnly)
-    throw Error(path_.string() + ": is open to read only: save it elsewhere to edit it");
+    refuse(espalier::Shown::tr("is open to read only: save it elsewhere to edit it"));
   struct stat status {};
   if (::stat(path_.c_str(), &status) != 0)
-    throw Error(path_.string() + ": was removed while it was open: save it elsewhere");
+    refuse(espalier::Shown::tr("was removed while it was open: save it elsewhere"));
   if (status.st_ino != inode_ || status.st_dev != device_)
-    throw Error(path_.string() + ": was replaced by another program: save it elsewhere");
+    refuse(espalier::Shown::tr("was replaced by another program: save it elsewhere"));
   constexpr mode_t anyMayWrite = 0222;
   if ((status.st_mode & anyMayWrite) == 0)
-    throw Error(path_.string() +
-                ": was made read-only while it was open: allow writing to it, or save elsewhere");
+    refuse(espalier::Shown::tr(
+        "was made read-only while it was open: allow writing to it, or save elsewhere"));
 }
 
 } // namespace espalier

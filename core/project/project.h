@@ -149,7 +149,8 @@ private:
   Project(std::filesystem::path path, Access access, std::shared_ptr<ProjectLock> lock);
   void requireSameFile() const;
   void insertScan(const ScanReference& scan) const;
-  static void insertHistory(const Database& database, const History& history);
+  static void insertHistory(const Database& database, const History& history,
+                            const std::string& file);
   void growScan(const GrownReference& grown) const; // within a transaction
 
   std::filesystem::path path_;

@@ -130,9 +130,10 @@ struct IdsAndBytes {
   std::size_t bytes = 0;
 
   [[nodiscard]] bool isAllowed() const { return idEnd <= idsFor(bytes); }
-  [[nodiscard]] std::string text() const {
-    return ": numbers its nodes up to " + std::to_string(idEnd) + ", too far for the " +
-           std::to_string(bytes) + " bytes that its plant and edits take: ";
+  /// @throws ShownError with this sentence unless it is allowed
+  void require(const char* refusal, const std::string& file) const {
+    if (!isAllowed())
+      throw ShownError({refusal, {std::to_string(idEnd), std::to_string(bytes)}, FilePlace{file}});
   }
 };
 
@@ -160,17 +161,20 @@ IdsAndBytes idsAndBytes(const Database& database, std::size_t idEnd) {
 /// Refuses ids that only a file has that was made to deceive: see idsFor().
 /// @param idEnd  of the journal
 void requireFewIds(const Database& database, std::size_t idEnd, const std::string& file) {
-  const IdsAndBytes read = idsAndBytes(database, idEnd);
-  if (!read.isAllowed())
-    throw Error(file + read.text() + "open a copy, or the plant as it was exported");
+  idsAndBytes(database, idEnd)
+      .require(espalier::Shown::tr("numbers its nodes up to %1, too far for the %2 bytes that its "
+                                   "plant and edits take: open a copy, or the plant as it was "
+                                   "exported"),
+               file);
 }
 
 /// @throws Error if what was written would be refused when it is read
 void requireAllowed(const IdsAndBytes& written, const std::string& file) {
-  if (!written.isAllowed())
-    throw Error(file + written.text() +
-                "save the plant as an MTG, and begin a new project with that, which numbers its "
-                "nodes anew");
+  written.require(espalier::Shown::tr("numbers its nodes up to %1, too far for the %2 bytes that "
+                                      "its plant and edits take: save the plant as an MTG, and "
+                                      "begin a new project with that, which numbers its nodes "
+                                      "anew"),
+                  file);
 }
 
 /// Adds steps behind the first `kept`. Each beginning of the journal can be read back by itself:
@@ -263,6 +267,15 @@ std::optional<Place> nearestPlace(const Database& database, const Journal& journ
   return best;
 }
 
+/// @param at  the edit after which the plant is, of so many
+ShownMessage damageNote(std::int64_t at, std::int64_t edits, const std::string& file) {
+  return {
+      espalier::Shown::tr("is damaged: the plant is as it was after %1 of %2 edits, which is all "
+                          "that can be read: save it elsewhere"),
+      {std::to_string(at), std::to_string(edits)},
+      FilePlace{file}};
+}
+
 } // namespace
 
 Imported<History> Project::history() const {
@@ -275,9 +288,10 @@ Imported<History> Project::history() const {
   const std::vector<std::int64_t> snapshots = snapshotSteps(database_, journal.isDamaged);
   std::optional<Place> place = nearestPlace(database_, journal, snapshots, position);
   if (!place)
-    throw DamagedFile(
-        path_.string() +
-        ": is damaged: nothing of its plant can be read; take a copy if you have one");
+    throw DamagedFile({espalier::Shown::tr("is damaged: nothing of its plant can be read; take a "
+                                           "copy if you have one"),
+                       {},
+                       FilePlace{path_.string()}});
   // Forth and back in place: a copy would take the memory of the plant once more.
   const std::int64_t at = place->at;
   place->moveTowards(0, journal);
@@ -298,10 +312,8 @@ Imported<History> Project::history() const {
       growIds(result.value.skeleton, indexOf(change.id) + 1);
   const bool isWhole = !journal.isDamaged && stored == place->at && first == 0 && last == end;
   if (!isWhole)
-    result.notes.push_back(path_.string() + ": is damaged: the plant is as it was after " +
-                           std::to_string(place->at) + " of " +
-                           std::to_string(std::max(end, stored.value_or(0))) +
-                           " edits, which is all that can be read: save it elsewhere");
+    result.notes.push_back(
+        damageNote(place->at, std::max(end, stored.value_or(0)), path_.string()));
   return result;
 }
 
@@ -378,10 +390,11 @@ void Project::record(std::size_t kept, std::span<const HistoryStep> added, std::
   transaction.commit();
 }
 
-void Project::insertHistory(const Database& database, const History& history) {
+void Project::insertHistory(const Database& database, const History& history,
+                            const std::string& file) {
   const History beginning = beginningOf(history);
   insertSnapshot(database, 0, beginning.skeleton, beginning.leftOut, beginning.organs);
-  insertSteps(database, 0, history.steps, "the project");
+  insertSteps(database, 0, history.steps, file);
   if (history.position > 0)
     insertSnapshot(database, history.position, history.skeleton, history.leftOut, history.organs);
   setPosition(database, history.position);
@@ -427,8 +440,8 @@ Imported<std::vector<PlantVersion>> Project::versions() const {
   const bool isOlder =
       database_.integer("SELECT count(*) FROM sqlite_schema WHERE name = 'version'") == 0;
   if (isOlder) return result;
-  const auto note = [&](const std::string& what) {
-    result.notes.push_back(path_.string() + ": " + what + ": the others can be read");
+  const auto note = [&](const char* sentence, std::vector<std::string> values = {}) {
+    result.notes.push_back({sentence, std::move(values), FilePlace{path_.string()}});
   };
   try {
     const std::size_t all = idsAndBytes(database_, mostIds).bytes;
@@ -444,10 +457,11 @@ Imported<std::vector<PlantVersion>> Project::versions() const {
                                 .time = rows.integer(1),
                                 .skeleton = std::move(plant->skeleton)});
       else
-        note("its version " + inQuotes(rows.text(0)) + " is damaged");
+        note(espalier::Shown::tr("its version %1 is damaged: the others can be read"),
+             {inQuotes(rows.text(0))});
     }
   } catch (const DamagedFile&) {
-    note("some of its versions are damaged");
+    note(espalier::Shown::tr("some of its versions are damaged: the others can be read"));
   }
   return result;
 }

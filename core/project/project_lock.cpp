@@ -51,15 +51,20 @@ ProjectLock::ProjectLock(const fs::path& project) : path_(lockOf(project)) {
   while (descriptor_ < 0) {
     const int descriptor = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor < 0)
-      throw Error(path_.string() + ": cannot be written: " +
-                  std::generic_category().message(errno) + "; open the project to read only");
+      throw ShownError({espalier::Shown::tr("cannot be written: %1; open the project to read only"),
+                        {std::generic_category().message(errno)},
+                        FilePlace{path_.string()}});
     const bool isTaken = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
     if (isTaken) { // any other failure: a disk without locks, where nobody can be kept out
       const std::string holder = holderIn(descriptor);
       ::close(descriptor);
-      throw ProjectInUse(project.string() + ": is open in another window" +
-                         (holder.empty() ? "" : " (" + holder + ")") +
-                         ": go on there, open it to read only, or open a copy");
+      throw ProjectInUse(
+          {holder.empty() ? espalier::Shown::tr("is open in another window: go on there, open it "
+                                                "to read only, or open a copy")
+                          : espalier::Shown::tr("is open in another window (%1): go on there, open "
+                                                "it to read only, or open a copy"),
+           {holder},
+           FilePlace{project.string()}});
     }
     if (isStill(descriptor, path_))
       descriptor_ = descriptor;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 
 #include <filesystem>
 #include <optional>
@@ -9,9 +9,9 @@
 namespace espalier {
 
 /// Another window or program works on the project. The message says which.
-class ProjectInUse : public Error {
+class ProjectInUse : public ShownError {
 public:
-  using Error::Error;
+  using ShownError::ShownError;
 };
 
 /// The right to write to a project, held by one window of one program at a time.

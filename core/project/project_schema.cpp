@@ -106,15 +106,21 @@ void upgradeSchema(const Database& database) {
 
 int checkedSchema(const Database& database, const std::string& file) {
   if (database.integer("PRAGMA application_id") != applicationId)
-    throw DamagedFile(file + ": is no project of Espalier: choose another file");
+    throw DamagedFile({espalier::Shown::tr("is no project of Espalier: choose another file"),
+                       {},
+                       FilePlace{file}});
   const std::int64_t version = database.integer("PRAGMA user_version");
   if (version > currentSchema())
-    throw Error(file + ": was written by a newer Espalier (schema " + std::to_string(version) +
-                ", this program knows " + std::to_string(currentSchema()) +
-                "): open it with that one");
+    throw ShownError({espalier::Shown::tr("was written by a newer Espalier (schema %1, this "
+                                          "program knows %2): open it with that one"),
+                      {std::to_string(version), std::to_string(currentSchema())},
+                      FilePlace{file}});
   // Tables are compared to the letter: a file that was made to deceive gets no view or trigger in.
   if (version < 1 || tablesOf(database) != tablesOfVersion(static_cast<int>(version)))
-    throw DamagedFile(file + ": its tables are not those of a project: choose another file");
+    throw DamagedFile(
+        {espalier::Shown::tr("its tables are not those of a project: choose another file"),
+         {},
+         FilePlace{file}});
   return static_cast<int>(version);
 }
 

@@ -1,7 +1,7 @@
 #include "core/reconstruct/reached_points.h"
 
-#include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/shown_message.h"
 #include "core/base/spatial_index.h"
 
 #include <cmath>
@@ -12,9 +12,9 @@ namespace espalier {
 
 void requireHalf(Eigen::Index reached, Eigen::Index all) {
   if (2 * reached < all)
-    throw Error("only " + std::to_string(100 * reached / all) +
-                " % of the points are connected to the root: choose another root, or allow wider "
-                "gaps");
+    throw ShownError({Shown::tr("only %1 % of the points are connected to the root: choose another "
+                                "root, or allow wider gaps"),
+                      {std::to_string(100 * reached / all)}});
 }
 
 Skeleton withMeanDistances(Skeleton skeleton, const Eigen::Matrix3Xf& points,

@@ -9,6 +9,13 @@
 namespace espalier {
 namespace {
 
+ShownError outOfRange(NodeId id) {
+  return ShownError(
+      {Shown::tr("node %1: its place or radius is beyond 1e12, as of no plant: correct "
+                 "or remove it"),
+       {std::to_string(indexOf(id))}});
+}
+
 std::optional<Node> lookUp(const Skeleton& skeleton, NodeId id) {
   if (!skeleton.contains(id)) return std::nullopt;
   return skeleton[id];
@@ -89,7 +96,10 @@ SkeletonEditor::~SkeletonEditor() {
 }
 
 NodeId SkeletonEditor::add(const Node& node) {
-  if (!isInRange(node.position, node.radius)) throw outOfRange("a new node: ");
+  if (!isInRange(node.position, node.radius))
+    throw ShownError(
+        {espalier::Shown::tr("a new node: its place or radius is beyond 1e12, as of no "
+                             "plant: correct or remove it")});
   const NodeId id = skeleton_.add(node);
   skeleton_.setReview(id, {}); // of a copy, too
   ids_.insert(static_cast<std::uint32_t>(id));
@@ -98,13 +108,13 @@ NodeId SkeletonEditor::add(const Node& node) {
 }
 
 void SkeletonEditor::setPosition(NodeId id, const Eigen::Vector3d& position) {
-  if (!isInRange(position)) throw outOfRange(nameOf(id) + ": ");
+  if (!isInRange(position)) throw outOfRange(id);
   note(id);
   skeleton_.setPosition(id, position);
 }
 
 void SkeletonEditor::setRadius(NodeId id, double radius, const RadiusOrigin& origin) {
-  if (!(radius <= largestCoordinate)) throw outOfRange(nameOf(id) + ": ");
+  if (!(radius <= largestCoordinate)) throw outOfRange(id);
   note(id);
   skeleton_.setRadius(id, radius, origin);
 }

@@ -1,6 +1,6 @@
 #include "core/surface/generalized_cylinders.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/skeleton/axes.h"
 #include "core/surface/axis_sweep.h"
 
@@ -48,7 +48,7 @@ std::vector<double> filledRadii(const Skeleton& skeleton, const std::vector<Axis
     sum += skeleton[id].radius;
     known += skeleton[id].radius > 0 ? 1 : 0;
   }
-  if (known == 0) throw Error("no node has a radius: estimate radii first");
+  if (known == 0) throw ShownError({Shown::tr("no node has a radius: estimate radii first")});
   for (const Axis& axis : all) { // each after the one that bears it
     if (fillAlong(skeleton, axis, radii)) continue;
     const auto bearer = skeleton[axis.front()].parent;

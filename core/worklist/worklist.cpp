@@ -51,17 +51,19 @@ std::vector<fs::path> filesIn(const fs::path& folder) {
         entry->is_regular_file(ignored) && !entry->path().filename().string().starts_with('.'))
       files.push_back(entry->is_symlink(ignored) ? fileOf(entry->path()) : entry->path());
   if (failed)
-    throw Error(folder.string() + ": cannot be read: " + failed.message() +
-                ": choose another folder");
+    throw ShownError({Shown::tr("cannot be read: %1: choose another folder"),
+                      {failed.message()},
+                      FilePlace{folder.string()}});
   std::ranges::sort(files);
   files.erase(std::unique(files.begin(), files.end()), files.end());
   return files;
 }
 
-/// Empty: it is good.
-std::string problemOfName(const fs::path& file) {
-  return isUtf8(file.string()) ? std::string()
-                               : file.string() + ": its name is no UTF-8: rename it";
+/// None: it is good.
+std::optional<ShownMessage> problemOfName(const fs::path& file) {
+  if (isUtf8(file.string())) return std::nullopt;
+  return ShownMessage{
+      espalier::Shown::tr("its name is no UTF-8: rename it"), {}, FilePlace{file.string()}};
 }
 
 /// Mostly a table or a note, though points can be written so.
@@ -78,8 +80,10 @@ Worklist worklistOfFolder(const fs::path& folder) {
     if (isListed) list.lines.push_back({.file = file, .problem = problemOfName(file)});
   }
   if (list.lines.empty())
-    throw Error(folder.string() + ": holds no project and no scan: choose another folder, or name "
-                                  "the files in a table");
+    throw ShownError({Shown::tr("holds no project and no scan: choose another folder, or name the "
+                                "files in a table"),
+                      {},
+                      FilePlace{folder.string()}});
   return list;
 }
 
@@ -106,24 +110,29 @@ WorklistLine lineOf(const CsvTable& table, const CsvTable::Row& row, const fs::p
   };
   WorklistLine line{.annotator = shortened(field("annotator")),
                     .second = shortened(field("second annotator"))};
-  const auto fail = [&](const std::string& problem) {
-    line.problem = place(file.filename().string(), row.line) + problem;
+  const auto fail = [&](const char* sentence, std::vector<std::string> values = {}) {
+    line.problem =
+        ShownMessage{sentence, std::move(values), FilePlace{file.filename().string(), row.line}};
     return line;
   };
   const std::string name = field("file");
-  if (name.empty()) return fail("no file is named: write a project or a scan");
+  if (name.empty()) return fail(Shown::tr("no file is named: write a project or a scan"));
   for (const char* column : {"annotator", "second annotator"})
     if (field(column).size() > mostBytes)
-      return fail("the " + std::string(column) + " has over " + std::to_string(mostBytes) +
-                  " bytes: write a shorter name");
+      return fail(Shown::tr("the %1 has over %2 bytes: write a shorter name"),
+                  {column, std::to_string(mostBytes)});
   const fs::path path = wholePath(file.parent_path() / name);
   std::error_code isMissing;
   if (!fs::is_regular_file(path, isMissing))
-    return fail("there is no file " + inQuotes(name) + ": correct its name, or take the line out");
+    return fail(Shown::tr("there is no file %1: correct its name, or take the line out"),
+                {inQuotes(name)});
   if (!isProjectName(path) && !isScanFile(path))
-    return fail(inQuotes(name) + " is neither a project nor a scan: name one of these");
-  if (!names.insert(path).second) return fail(inQuotes(name) + " came before: take the line out");
-  if (!isUtf8(path.string())) return fail(inQuotes(name) + " is no UTF-8: rename the file");
+    return fail(Shown::tr("%1 is neither a project nor a scan: name one of these"),
+                {inQuotes(name)});
+  if (!names.insert(path).second)
+    return fail(Shown::tr("%1 came before: take the line out"), {inQuotes(name)});
+  if (!isUtf8(path.string()))
+    return fail(Shown::tr("%1 is no UTF-8: rename the file"), {inQuotes(name)});
   line.file = path;
   return line;
 }
@@ -131,8 +140,10 @@ WorklistLine lineOf(const CsvTable& table, const CsvTable::Row& row, const fs::p
 Worklist worklistOfTable(const fs::path& file) {
   const CsvTable table = readCsv(readText(file), file.string());
   if (!table.column("file"))
-    throw Error(place(file.string(), 1) + "there is no column file: name the columns in the first "
-                                          "line, as file,annotator,second annotator");
+    throw ShownError({Shown::tr("there is no column file: name the columns in the first line, as "
+                                "file,annotator,second annotator"),
+                      {},
+                      FilePlace{file.string(), 1}});
   Worklist list{.place = file, .isTable = true};
   std::vector<std::size_t> others;
   for (std::size_t i = 0; i < table.names.size(); ++i) {
@@ -151,7 +162,9 @@ Worklist worklistOfTable(const fs::path& file) {
     list.lines.push_back(std::move(line));
   }
   if (list.lines.empty())
-    throw Error(file.string() + ": no plant is listed: write a line for each below the first");
+    throw ShownError({Shown::tr("no plant is listed: write a line for each below the first"),
+                      {},
+                      FilePlace{file.string()}});
   for (const fs::path& folder : folders)
     for (const fs::path& each : filesIn(folder))
       if (isProjectName(each)) list.projects.push_back(each);
@@ -180,7 +193,7 @@ Match matchOf(const ScanReference& reference, const fs::path& scan, const KnownW
   if (fs::exists(reference.path, failed))
     return fs::equivalent(reference.path, scan, failed) ? Match::yes : Match::no;
   const auto found = known.find(scan);
-  if (found != known.end() && !found->second.problem.empty()) return Match::no;
+  if (found != known.end() && found->second.problem) return Match::no;
   if (found == known.end() || !found->second.hash) return Match::byContent;
   return *found->second.hash == reference.hash ? Match::yes : Match::no;
 }
@@ -293,7 +306,7 @@ WorklistRow rowOf(const WorklistLine& line, bool isTable, const ProjectsByScan& 
   const auto found = projects.known().find(row.file());
   const bool isFileKnown = found != projects.known().end();
   row.isRead = isKnown && (row.project.empty() || isFileKnown);
-  if (isFileKnown && row.problem.empty()) row.problem = found->second.problem;
+  if (isFileKnown && !row.problem) row.problem = found->second.problem;
   if (row.project.empty() || !row.isRead) return row;
   row.state = found->second.state;
   if (row.state && row.annotator.empty()) row.annotator = row.state->annotator;
@@ -320,8 +333,10 @@ std::vector<WorklistRow> rowsOf(const Worklist& list, const KnownWorks& known) {
       continue; // that project is a row
     WorklistRow row = rowOf(line, list.isTable, projects);
     if (!row.project.empty() && !before.insert(row.project).second)
-      row.problem = row.project.string() + ": a line before means this plant, too: take one of "
-                                           "the two out";
+      row.problem =
+          ShownMessage{Shown::tr("a line before means this plant, too: take one of the two out"),
+                       {},
+                       FilePlace{row.project.string()}};
     rows.push_back(std::move(row));
   }
   return rows;

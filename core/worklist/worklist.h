@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/shown_message.h"
 #include "core/project/work_state.h"
 
 #include <cstdint>
@@ -17,8 +18,8 @@ struct WorklistLine {
   std::filesystem::path file; // a project or a scan, absolute; empty where the line has a problem
   std::string annotator = {}; // as a table has it; empty: not named
   std::string second = {};    // likewise, who annotates the plant beside
-  std::vector<std::string> others = {}; // what a table has in its further columns
-  std::string problem = {};             // of the line, which it names; empty: none
+  std::vector<std::string> others = {};     // what a table has in its further columns
+  std::optional<ShownMessage> problem = {}; // of the line, which it names
 };
 
 /// Plants that are worked on one after another.
@@ -46,9 +47,9 @@ struct Worklist {
 
 /// What is known of a project or scan.
 struct KnownWork {
-  std::optional<WorkState> state = {};    // of a project that can be read
-  std::string problem = {};               // why not, or not all of it; of a scan, too. Empty: none
-  std::optional<std::uint64_t> hash = {}; // contentHashOfFile of a scan, where it was asked for
+  std::optional<WorkState> state = {};      // of a project that can be read
+  std::optional<ShownMessage> problem = {}; // why not, or not all of it; of a scan, too
+  std::optional<std::uint64_t> hash = {};   // contentHashOfFile of a scan, where it was asked for
 };
 using KnownWorks = std::map<std::filesystem::path, KnownWork>; // by the path of the file
 
@@ -61,7 +62,7 @@ struct WorklistRow {
   std::filesystem::path secondProject = {}; // of the second annotator; empty: none
   std::vector<std::string> others = {};
   std::optional<WorkState> state = {}; // none: not read yet, there is no project, or a problem
-  std::string problem = {};
+  std::optional<ShownMessage> problem = {};
   bool isRead = true; // false: its project, or whether there is one, is not known yet
 
   /// The file to open: the project, else the scan.

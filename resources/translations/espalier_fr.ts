@@ -194,6 +194,25 @@
     </message>
 </context>
 <context>
+    <name>FilePlace</name>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>colonne %1</translation>
+    </message>
+    <message>
+        <source>byte %1</source>
+        <translation>octet %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
     <name>FindingRemedy</name>
     <message>
         <source>attaches it elsewhere</source>
@@ -2503,6 +2522,18 @@
     <message>
         <source>; at %1 places ignored as no wood: %2 (%3 %)</source>
         <translation>&#xa0;; à %1 endroits ignorés car sans bois&#xa0;: %2 (%3&#xa0;%)</translation>
+    </message>
+    <message>
+        <source>%1 answered, %2 open</source>
+        <translation>%1 répondues, %2 ouvertes</translation>
+    </message>
+    <message>
+        <source>%1 answered</source>
+        <translation>%1 répondues</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Questions</translation>
     </message>
 </context>
 <context>
@@ -12853,6 +12884,2150 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>%1 keeps no review: marks, comments and signatures are not written; only a project keeps them</source>
         <translation>%1 ne garde pas la révision&#xa0;: marques, commentaires et signatures ne sont pas écrits&#xa0;; seul un projet les garde</translation>
+    </message>
+    <message>
+        <source>registration: the starting motion is not finite</source>
+        <translation>recalage&#xa0;: le mouvement de départ n’est pas fini</translation>
+    </message>
+    <message>
+        <source>no sphere of radius %3 about %1: only 1 point is near: pick its middle, and check the radius</source>
+        <translation>pas de sphère de rayon %3 autour de %1&#xa0;: un seul point est proche&#xa0;: pointez son milieu, et vérifiez le rayon</translation>
+    </message>
+    <message>
+        <source>no sphere about %1: only 1 point is near: pick its middle, and check the radius</source>
+        <translation>pas de sphère autour de %1&#xa0;: un seul point est proche&#xa0;: pointez son milieu, et vérifiez le rayon</translation>
+    </message>
+    <message>
+        <source>no sphere of radius %3 about %1: only %2 points are near: pick its middle, and check the radius</source>
+        <translation>pas de sphère de rayon %3 autour de %1&#xa0;: seuls %2 points sont proches&#xa0;: pointez son milieu, et vérifiez le rayon</translation>
+    </message>
+    <message>
+        <source>no sphere about %1: only %2 points are near: pick its middle, and check the radius</source>
+        <translation>pas de sphère autour de %1&#xa0;: seuls %2 points sont proches&#xa0;: pointez son milieu, et vérifiez le rayon</translation>
+    </message>
+    <message>
+        <source>no sphere of radius %3 about %1: the points there lie on none: pick its middle, and check the radius</source>
+        <translation>pas de sphère de rayon %3 autour de %1&#xa0;: les points qui s’y trouvent ne sont sur aucune&#xa0;: pointez son milieu, et vérifiez le rayon</translation>
+    </message>
+    <message>
+        <source>no sphere about %1: the points there lie on none: pick its middle, and check the radius</source>
+        <translation>pas de sphère autour de %1&#xa0;: les points qui s’y trouvent ne sont sur aucune&#xa0;: pointez son milieu, et vérifiez le rayon</translation>
+    </message>
+    <message>
+        <source>no sphere of radius %3 about %1: only 1 point lies on the likeliest: pick its middle, and check the radius</source>
+        <translation>pas de sphère de rayon %3 autour de %1&#xa0;: un seul point est sur la plus probable&#xa0;: pointez son milieu, et vérifiez le rayon</translation>
+    </message>
+    <message>
+        <source>no sphere about %1: only 1 point lies on the likeliest: pick its middle, and check the radius</source>
+        <translation>pas de sphère autour de %1&#xa0;: un seul point est sur la plus probable&#xa0;: pointez son milieu, et vérifiez le rayon</translation>
+    </message>
+    <message>
+        <source>no sphere of radius %3 about %1: only %2 points lie on the likeliest: pick its middle, and check the radius</source>
+        <translation>pas de sphère de rayon %3 autour de %1&#xa0;: seuls %2 points sont sur la plus probable&#xa0;: pointez son milieu, et vérifiez le rayon</translation>
+    </message>
+    <message>
+        <source>no sphere about %1: only %2 points lie on the likeliest: pick its middle, and check the radius</source>
+        <translation>pas de sphère autour de %1&#xa0;: seuls %2 points sont sur la plus probable&#xa0;: pointez son milieu, et vérifiez le rayon</translation>
+    </message>
+    <message>
+        <source>no sphere of radius %3 about %1: too little of it is seen: pick its middle, and check the radius</source>
+        <translation>pas de sphère de rayon %3 autour de %1&#xa0;: on en voit trop peu&#xa0;: pointez son milieu, et vérifiez le rayon</translation>
+    </message>
+    <message>
+        <source>no sphere about %1: too little of it is seen: pick its middle, and check the radius</source>
+        <translation>pas de sphère autour de %1&#xa0;: on en voit trop peu&#xa0;: pointez son milieu, et vérifiez le rayon</translation>
+    </message>
+    <message>
+        <source>no sphere of radius %3 about %1: over half of the points about it lie off it: pick its middle, and check the radius</source>
+        <translation>pas de sphère de rayon %3 autour de %1&#xa0;: plus de la moitié des points qui l’entourent n’y sont pas&#xa0;: pointez son milieu, et vérifiez le rayon</translation>
+    </message>
+    <message>
+        <source>no sphere about %1: over half of the points about it lie off it: pick its middle, and check the radius</source>
+        <translation>pas de sphère autour de %1&#xa0;: plus de la moitié des points qui l’entourent n’y sont pas&#xa0;: pointez son milieu, et vérifiez le rayon</translation>
+    </message>
+    <message>
+        <source>a target sphere: expected a finite place, and a radius and reach over 0</source>
+        <translation>une sphère de cible&#xa0;: un endroit fini est attendu, ainsi qu’un rayon et une portée supérieurs à 0</translation>
+    </message>
+    <message>
+        <source>its place or radius is beyond 1e12, as of no plant: correct or remove it</source>
+        <translation>sa position ou son rayon dépasse 1e12, ce qu’aucune plante n’atteint&#xa0;: corrigez-le ou retirez-le</translation>
+    </message>
+    <message>
+        <source>the Delaunay triangulation of the points could not be found</source>
+        <translation>la triangulation de Delaunay des points n’a pas pu être calculée</translation>
+    </message>
+    <message>
+        <source>and 1 note more</source>
+        <translation>et 1 autre remarque</translation>
+    </message>
+    <message>
+        <source>and %1 notes more</source>
+        <translation>et %1 autres remarques</translation>
+    </message>
+    <message>
+        <source>there is no such file: check its name and folder</source>
+        <translation>ce fichier n’existe pas&#xa0;: vérifiez son nom et son dossier</translation>
+    </message>
+    <message>
+        <source>may not be read: change its rights, or choose another file</source>
+        <translation>n’a pas le droit d’être lu&#xa0;: changez ses droits, ou choisissez un autre fichier</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1; try a copy of it</source>
+        <translation>ne peut pas être lu&#xa0;: %1&#xa0;; essayez une copie</translation>
+    </message>
+    <message>
+        <source>is a folder, choose a file in it</source>
+        <translation>est un dossier&#xa0;: choisissez-y un fichier</translation>
+    </message>
+    <message>
+        <source>is a pipe or device: save it as a file and open that</source>
+        <translation>est un tube ou un périphérique&#xa0;: enregistrez-le dans un fichier et ouvrez celui-ci</translation>
+    </message>
+    <message>
+        <source>the convex hull of the points could not be found</source>
+        <translation>l’enveloppe convexe des points n’a pas pu être calculée</translation>
+    </message>
+    <message>
+        <source>expected a number as %1, found %2</source>
+        <translation>un nombre est attendu pour %1, trouvé %2</translation>
+    </message>
+    <message>
+        <source>is text of two bytes per character (UTF-16, &quot;Unicode Text&quot; in Excel), which cannot be read: save it as UTF-8, or in Excel as &quot;Text (Tab delimited)&quot;</source>
+        <translation>est un texte de deux octets par caractère (UTF-16, «&#xa0;Texte Unicode&#xa0;» dans Excel), qui ne peut pas être lu&#xa0;: enregistrez-le en UTF-8, ou dans Excel en «&#xa0;Texte (séparateur&#xa0;: tabulation)&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the scans have over 4 294 967 295 points together: thin them first</source>
+        <translation>les scans ont ensemble plus de 4 294 967 295 points&#xa0;: éclaircissez-les d’abord</translation>
+    </message>
+    <message>
+        <source>the scans have over 65536 stations together: join fewer of them</source>
+        <translation>les scans ont ensemble plus de 65536 stations&#xa0;: joignez-en moins</translation>
+    </message>
+    <message>
+        <source>stored points are not complete: open the scan again</source>
+        <translation>les points enregistrés ne sont pas complets&#xa0;: ouvrez à nouveau le scan</translation>
+    </message>
+    <message>
+        <source>stored points are not all finite, or beyond any plant: open the scan again</source>
+        <translation>les points enregistrés ne sont pas tous finis, ou sont plus loin que toute plante&#xa0;: ouvrez à nouveau le scan</translation>
+    </message>
+    <message>
+        <source>contraction with no weight along and none across has no end: raise one of them</source>
+        <translation>une contraction sans poids le long ni en travers n’a pas de fin&#xa0;: augmentez l’un des deux</translation>
+    </message>
+    <message>
+        <source>the surface has a corner that is no number: correct the radii and positions</source>
+        <translation>la surface a un coin qui n’est pas un nombre&#xa0;: corrigez les rayons et les positions</translation>
+    </message>
+    <message>
+        <source>the surface has no area: estimate radii first</source>
+        <translation>la surface a une aire nulle&#xa0;: estimez d’abord les rayons</translation>
+    </message>
+    <message>
+        <source>distance %1: expected a length above 0</source>
+        <translation>distance %1&#xa0;: une longueur supérieure à 0 est attendue</translation>
+    </message>
+    <message>
+        <source>the plant has no nodes: choose a structure with positions</source>
+        <translation>la plante n’a pas de nœuds&#xa0;: choisissez une structure avec des positions</translation>
+    </message>
+    <message>
+        <source>the plant, node %1: its position is not a number: correct or delete the node</source>
+        <translation>la plante, nœud %1&#xa0;: sa position n’est pas un nombre&#xa0;: corrigez ou supprimez le nœud</translation>
+    </message>
+    <message>
+        <source>the plant has no length: its nodes are not linked or all lie at one place; choose another structure</source>
+        <translation>la plante n’a pas de longueur&#xa0;: ses nœuds ne sont pas liés ou sont tous au même endroit&#xa0;; choisissez une autre structure</translation>
+    </message>
+    <message>
+        <source>the reference has no nodes: choose a structure with positions</source>
+        <translation>la référence n’a pas de nœuds&#xa0;: choisissez une structure avec des positions</translation>
+    </message>
+    <message>
+        <source>the reference, node %1: its position is not a number: correct or delete the node</source>
+        <translation>la référence, nœud %1&#xa0;: sa position n’est pas un nombre&#xa0;: corrigez ou supprimez le nœud</translation>
+    </message>
+    <message>
+        <source>the reference has no length: its nodes are not linked or all lie at one place; choose another structure</source>
+        <translation>la référence n’a pas de longueur&#xa0;: ses nœuds ne sont pas liés ou sont tous au même endroit&#xa0;; choisissez une autre structure</translation>
+    </message>
+    <message>
+        <source>%2 has no nodes: choose a structure with positions</source>
+        <translation>%2 n’a pas de nœuds&#xa0;: choisissez une structure avec des positions</translation>
+    </message>
+    <message>
+        <source>%2, node %1: its position is not a number: correct or delete the node</source>
+        <translation>%2, nœud %1&#xa0;: sa position n’est pas un nombre&#xa0;: corrigez ou supprimez le nœud</translation>
+    </message>
+    <message>
+        <source>%2 has no length: its nodes are not linked or all lie at one place; choose another structure</source>
+        <translation>%2 n’a pas de longueur&#xa0;: ses nœuds ne sont pas liés ou sont tous au même endroit&#xa0;; choisissez une autre structure</translation>
+    </message>
+    <message>
+        <source>the edit distance of %1 and %2 parts takes too much memory: compare a coarser scale</source>
+        <translation>la distance d’édition de %1 et %2 parties demande trop de mémoire&#xa0;: comparez à une échelle plus grossière</translation>
+    </message>
+    <message>
+        <source>tolerance %1: expected a length of 0 or more</source>
+        <translation>tolérance %1&#xa0;: une longueur de 0 ou plus est attendue</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1; free some room or choose another disk</source>
+        <translation>ne peut pas être écrit&#xa0;: %1&#xa0;; libérez de la place ou choisissez un autre disque</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1; choose a folder you may write to</source>
+        <translation>ne peut pas être écrit&#xa0;: %1&#xa0;; choisissez un dossier où vous pouvez écrire</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1; create the folder first or choose another</source>
+        <translation>ne peut pas être écrit&#xa0;: %1&#xa0;; créez d’abord le dossier ou choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1; choose a file name</source>
+        <translation>ne peut pas être écrit&#xa0;: %1&#xa0;; choisissez un nom de fichier</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1; choose a shorter name</source>
+        <translation>ne peut pas être écrit&#xa0;: %1&#xa0;; choisissez un nom plus court</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1; try another place</source>
+        <translation>ne peut pas être écrit&#xa0;: %1&#xa0;; essayez un autre endroit</translation>
+    </message>
+    <message>
+        <source>ends within a text: the file is cut short or damaged, copy or export it again</source>
+        <translation>s’arrête au milieu d’un texte&#xa0;: le fichier est tronqué ou abîmé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>ends within a value of %1 bytes: the file is cut short or damaged, copy or export it again</source>
+        <translation>s’arrête au milieu d’une valeur de %1 octets&#xa0;: le fichier est tronqué ou abîmé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>the XML is broken here (%1): copy or export the file again</source>
+        <translation>le XML est abîmé ici (%1)&#xa0;: copiez ou exportez à nouveau le fichier</translation>
+    </message>
+    <message>
+        <source>expected an element %1, found %2</source>
+        <translation>un élément %1 est attendu, trouvé %2</translation>
+    </message>
+    <message>
+        <source>the document defines entities, which are not read: export it without them</source>
+        <translation>le document définit des entités, qui ne sont pas lues&#xa0;: exportez-le sans elles</translation>
+    </message>
+    <message>
+        <source>its elements are nested over %1 deep, as in no plant</source>
+        <translation>ses éléments sont imbriqués sur plus de %1 niveaux, comme dans aucune plante</translation>
+    </message>
+    <message>
+        <source>a quote is not closed: end the field with &quot;</source>
+        <translation>un guillemet n’est pas fermé&#xa0;: terminez le champ par &quot;</translation>
+    </message>
+    <message>
+        <source>there is text behind a quoted field: quote all of it, and write &quot;&quot; for a quote in it</source>
+        <translation>du texte suit un champ entre guillemets&#xa0;: mettez-le tout entre guillemets, et écrivez &quot;&quot; pour un guillemet à l’intérieur</translation>
+    </message>
+    <message>
+        <source>there are %1 columns, more than in any such table: leave out those that are not needed</source>
+        <translation>il y a %1 colonnes, plus que dans tout tableau de cette sorte&#xa0;: retirez celles qui ne servent pas</translation>
+    </message>
+    <message>
+        <source>two columns are named %1: rename one</source>
+        <translation>deux colonnes s’appellent %1&#xa0;: renommez-en une</translation>
+    </message>
+    <message>
+        <source>there are no names of columns: begin with a line of names</source>
+        <translation>il n’y a pas de noms de colonnes&#xa0;: commencez par une ligne de noms</translation>
+    </message>
+    <message>
+        <source>expected %1 fields, found %2: quote fields that hold the sign that parts them</source>
+        <translation>%1 champs sont attendus, trouvé %2&#xa0;: mettez entre guillemets les champs qui contiennent le signe qui les sépare</translation>
+    </message>
+    <message>
+        <source>is empty: copy or export it again</source>
+        <translation>est vide&#xa0;: copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>is of no known kind; can be read: %1</source>
+        <translation>n’est d’aucun type connu&#xa0;; peuvent être lus&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>is %1, which cannot be read: open the structure that it was written from</source>
+        <translation>est du type %1, qui ne peut pas être lu&#xa0;: ouvrez la structure à partir de laquelle il a été écrit</translation>
+    </message>
+    <message>
+        <source>holds a structure (%1), not points: choose a scan</source>
+        <translation>contient une structure (%1), pas des points&#xa0;: choisissez un scan</translation>
+    </message>
+    <message>
+        <source>holds points (%1), not a structure: choose an MTG or a node list</source>
+        <translation>contient des points (%1), pas une structure&#xa0;: choisissez un MTG ou une liste de nœuds</translation>
+    </message>
+    <message>
+        <source>none of its %1 points lies in the box from %2 to %3: choose another</source>
+        <translation>aucun de ses %1 points n’est dans la boîte de %2 à %3&#xa0;: choisissez-en une autre</translation>
+    </message>
+    <message>
+        <source>none of its %1 points lies in the box from %2 to %3: they lie from %4 to %5</source>
+        <translation>aucun de ses %1 points n’est dans la boîte de %2 à %3&#xa0;: ils vont de %4 à %5</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points are read, those in the box</source>
+        <translation>%1 points sur %2 sont lus, ceux de la boîte</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points are read, a sample of all</source>
+        <translation>%1 points sur %2 sont lus, un échantillon de tous</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points are read, a sample of those in the box</source>
+        <translation>%1 points sur %2 sont lus, un échantillon de ceux de la boîte</translation>
+    </message>
+    <message>
+        <source>a node at %1, with radius %2: its place or radius is beyond 1e12, as of no plant: correct or remove it</source>
+        <translation>un nœud en %1, de rayon %2&#xa0;: sa position ou son rayon dépasse 1e12, ce qu’aucune plante n’atteint&#xa0;: corrigez-le ou retirez-le</translation>
+    </message>
+    <message>
+        <source>its branches are nested too deeply</source>
+        <translation>ses branches sont imbriquées trop profondément</translation>
+    </message>
+    <message>
+        <source>cannot be written as MTG text (%1): a project keeps its skeleton, without the rest of the MTG</source>
+        <translation>ne peut pas être écrit en texte MTG (%1)&#xa0;: un projet garde son squelette, sans le reste du MTG</translation>
+    </message>
+    <message>
+        <source>points cannot be written with this extension; choose one of %1</source>
+        <translation>des points ne peuvent pas être écrits avec cette extension&#xa0;; choisissez parmi %1</translation>
+    </message>
+    <message>
+        <source>a structure cannot be written with this extension; choose one of %1</source>
+        <translation>une structure ne peut pas être écrite avec cette extension&#xa0;; choisissez parmi %1</translation>
+    </message>
+    <message>
+        <source>is %1, which says itself what its columns hold: name columns of text files alone</source>
+        <translation>est du type %1, qui dit lui-même ce que contiennent ses colonnes&#xa0;: ne nommez que les colonnes de fichiers texte</translation>
+    </message>
+    <message>
+        <source>holds no points: export it again</source>
+        <translation>ne contient pas de points&#xa0;: exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>holds %1 points, none of them finite: export it again</source>
+        <translation>contient %1 points, dont aucun n’est fini&#xa0;: exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>%1 needs positions, and the structure has none: choose MTG or OPF</source>
+        <translation>%1 a besoin de positions, et la structure n’en a pas&#xa0;: choisissez MTG ou OPF</translation>
+    </message>
+    <message>
+        <source>objects are nested deeper than %1: the file is damaged</source>
+        <translation>des objets sont imbriqués sur plus de %1 niveaux&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>is no binary scene of PlantGL, it does not begin with !bGEOM</source>
+        <translation>n’est pas une scène binaire de PlantGL, il ne commence pas par !bGEOM</translation>
+    </message>
+    <message>
+        <source>is no version of PlantGL&apos;s scenes: the file is damaged</source>
+        <translation>n’est d’aucune version des scènes de PlantGL&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>is version %1 of PlantGL&apos;s scenes, and up to 2.5 can be read: export the points as PLY</source>
+        <translation>est de la version %1 des scènes de PlantGL, et on peut lire jusqu’à la 2.5&#xa0;: exportez les points en PLY</translation>
+    </message>
+    <message>
+        <source>its line end was changed, as a transfer as text does: copy the file again as binary</source>
+        <translation>sa fin de ligne a été changée, comme le fait un transfert en texte&#xa0;: copiez à nouveau le fichier en binaire</translation>
+    </message>
+    <message>
+        <source>has reals of %1 bits, expected 32 or 64</source>
+        <translation>a des réels de %1 bits, 32 ou 64 sont attendus</translation>
+    </message>
+    <message>
+        <source>expected a comment behind #: the file is damaged</source>
+        <translation>un commentaire est attendu après #&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>expected the table of types behind !: the file is damaged</source>
+        <translation>la table des types est attendue après !&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>expected the scene behind !: the file is damaged</source>
+        <translation>la scène est attendue après !&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>an object is of no type known: the file is damaged</source>
+        <translation>un objet n’est d’aucun type connu&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>refers to an object that does not come before: the file is damaged</source>
+        <translation>renvoie à un objet qui ne vient pas avant&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>has an object %1 whose size is not known in version %2: export the points alone, or as PLY</source>
+        <translation>a un objet %1 dont la taille n’est pas connue dans la version %2&#xa0;: exportez les points seuls, ou en PLY</translation>
+    </message>
+    <message>
+        <source>ends within a matrix: the file is cut short</source>
+        <translation>s’arrête au milieu d’une matrice&#xa0;: le fichier est tronqué</translation>
+    </message>
+    <message>
+        <source>1 value is not finite, or of a kind that an MTG cannot hold: left out</source>
+        <translation>1 valeur n’est pas finie, ou est d’un genre qu’un MTG ne peut pas contenir&#xa0;: écartée</translation>
+    </message>
+    <message>
+        <source>%1 values are not finite, or of a kind that an MTG cannot hold: left out</source>
+        <translation>%1 valeurs ne sont pas finies, ou sont d’un genre qu’un MTG ne peut pas contenir&#xa0;: écartées</translation>
+    </message>
+    <message>
+        <source>1 value is of vertices that were erased: left out</source>
+        <translation>1 valeur est d’un sommet qui a été effacé&#xa0;: écartée</translation>
+    </message>
+    <message>
+        <source>%1 values are of vertices that were erased: left out</source>
+        <translation>%1 valeurs sont de sommets qui ont été effacés&#xa0;: écartées</translation>
+    </message>
+    <message>
+        <source>property %1 is left out: its name cannot be that of a feature, or is taken</source>
+        <translation>la propriété %1 est écartée&#xa0;: son nom ne peut pas être celui d’un attribut, ou est déjà pris</translation>
+    </message>
+    <message>
+        <source>its values would take far more memory than the file itself: save it as .mtg with the program that wrote it</source>
+        <translation>ses valeurs prendraient beaucoup plus de mémoire que le fichier lui-même&#xa0;: enregistrez-le en .mtg avec le programme qui l’a écrit</translation>
+    </message>
+    <message>
+        <source>1 vertex lies where its parent lies, and is kept so</source>
+        <translation>1 sommet est à la place de son parent, et est gardé ainsi</translation>
+    </message>
+    <message>
+        <source>%1 vertices lie where their parents lie, and are kept so</source>
+        <translation>%1 sommets sont à la place de leurs parents, et sont gardés ainsi</translation>
+    </message>
+    <message>
+        <source>expected a field or }, found %1: export the points as PLY or .bgeom</source>
+        <translation>un champ ou } est attendu, trouvé %1&#xa0;: exportez les points en PLY ou en .bgeom</translation>
+    </message>
+    <message>
+        <source>&apos;:%1&apos; is not read: open the scene in PlantGL and save it as one file, or export the points as PLY</source>
+        <translation>«&#xa0;:%1&#xa0;» n’est pas lu&#xa0;: ouvrez la scène dans PlantGL et enregistrez-la en un seul fichier, ou exportez les points en PLY</translation>
+    </message>
+    <message>
+        <source>objects are nested deeper than %1: export the points as PLY</source>
+        <translation>des objets sont imbriqués sur plus de %1 niveaux&#xa0;: exportez les points en PLY</translation>
+    </message>
+    <message>
+        <source>expected an object, as PointSet { }, found %1: export the points as PLY or .bgeom</source>
+        <translation>un objet est attendu, comme PointSet { }, trouvé %1&#xa0;: exportez les points en PLY ou en .bgeom</translation>
+    </message>
+    <message>
+        <source>expected an object or its name, found %1: export the points as PLY or .bgeom</source>
+        <translation>un objet ou son nom est attendu, trouvé %1&#xa0;: exportez les points en PLY ou en .bgeom</translation>
+    </message>
+    <message>
+        <source>refers to %1, which does not come before: the file is damaged or not complete</source>
+        <translation>renvoie à %1, qui ne vient pas avant&#xa0;: le fichier est abîmé ou incomplet</translation>
+    </message>
+    <message>
+        <source>expected a value, found %1: export the points as PLY or .bgeom</source>
+        <translation>une valeur est attendue, trouvé %1&#xa0;: exportez les points en PLY ou en .bgeom</translation>
+    </message>
+    <message>
+        <source>expected &apos;%1&apos;, found %2: export the points as PLY or .bgeom</source>
+        <translation>«&#xa0;%1&#xa0;» est attendu, trouvé %2&#xa0;: exportez les points en PLY ou en .bgeom</translation>
+    </message>
+    <message>
+        <source>expected a number, found %1: export the points as PLY or .bgeom</source>
+        <translation>un nombre est attendu, trouvé %1&#xa0;: exportez les points en PLY ou en .bgeom</translation>
+    </message>
+    <message>
+        <source>a part of a color is not between 0 and 255: correct it</source>
+        <translation>une composante d’une couleur n’est pas entre 0 et 255&#xa0;: corrigez-la</translation>
+    </message>
+    <message>
+        <source>expected a color, found %1: export the points as PLY or .bgeom</source>
+        <translation>une couleur est attendue, trouvé %1&#xa0;: exportez les points en PLY ou en .bgeom</translation>
+    </message>
+    <message>
+        <source>ends within an object: it is cut short, copy or export it again</source>
+        <translation>s’arrête au milieu d’un objet&#xa0;: il est tronqué, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>a quoted text does not end in its line: the file is damaged</source>
+        <translation>un texte entre guillemets ne finit pas sur sa ligne&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>a comment that begins with (# has no end #): the file is cut short</source>
+        <translation>un commentaire qui commence par (# n’a pas de fin #)&#xa0;: le fichier est tronqué</translation>
+    </message>
+    <message>
+        <source>its tables share one another too often: save it as .mtg with the program that wrote it</source>
+        <translation>ses tables se partagent trop souvent les unes les autres&#xa0;: enregistrez-le en .mtg avec le programme qui l’a écrit</translation>
+    </message>
+    <message>
+        <source>its table %1 has a key that is no number: save it as .mtg with the program that wrote it</source>
+        <translation>sa table %1 a une clé qui n’est pas un nombre&#xa0;: enregistrez-le en .mtg avec le programme qui l’a écrit</translation>
+    </message>
+    <message>
+        <source>its table %1 is no table: save it as .mtg with the program that wrote it</source>
+        <translation>sa table %1 n’en est pas une&#xa0;: enregistrez-le en .mtg avec le programme qui l’a écrit</translation>
+    </message>
+    <message>
+        <source>it has a property whose name is no text: save it as .mtg with the program that wrote it</source>
+        <translation>il a une propriété dont le nom n’est pas un texte&#xa0;: enregistrez-le en .mtg avec le programme qui l’a écrit</translation>
+    </message>
+    <message>
+        <source>its property %1 is no table: save it as .mtg with the program that wrote it</source>
+        <translation>sa propriété %1 n’est pas une table&#xa0;: enregistrez-le en .mtg avec le programme qui l’a écrit</translation>
+    </message>
+    <message>
+        <source>is a pickle of something else than an MTG: save it as .mtg with the program that wrote it</source>
+        <translation>est un pickle d’autre chose qu’un MTG&#xa0;: enregistrez-le en .mtg avec le programme qui l’a écrit</translation>
+    </message>
+    <message>
+        <source>its state is no table: save it as .mtg with the program that wrote it</source>
+        <translation>son état n’est pas une table&#xa0;: enregistrez-le en .mtg avec le programme qui l’a écrit</translation>
+    </message>
+    <message>
+        <source>its MTG has no table _scale: save it as .mtg with the program that wrote it</source>
+        <translation>son MTG n’a pas de table _scale&#xa0;: enregistrez-le en .mtg avec le programme qui l’a écrit</translation>
+    </message>
+    <message>
+        <source>vertex %1 is among its own ancestors: the file is damaged, or was saved by a program that failed</source>
+        <translation>le sommet %1 est parmi ses propres ancêtres&#xa0;: le fichier est abîmé, ou a été enregistré par un programme qui a échoué</translation>
+    </message>
+    <message>
+        <source>vertex %1 is of scale %2: the file is damaged, or was saved by a program that failed</source>
+        <translation>le sommet %1 est de l’échelle %2&#xa0;: le fichier est abîmé, ou a été enregistré par un programme qui a échoué</translation>
+    </message>
+    <message>
+        <source>vertex %1 is attached to vertex %2 of another scale: the file is damaged, or was saved by a program that failed</source>
+        <translation>le sommet %1 est attaché au sommet %2 d’une autre échelle&#xa0;: le fichier est abîmé, ou a été enregistré par un programme qui a échoué</translation>
+    </message>
+    <message>
+        <source>vertex %1 is a part of vertex %2, which is no coarser: the file is damaged, or was saved by a program that failed</source>
+        <translation>le sommet %1 est une partie du sommet %2, qui n’est pas plus grossier&#xa0;: le fichier est abîmé, ou a été enregistré par un programme qui a échoué</translation>
+    </message>
+    <message>
+        <source>vertex %1 needs vertex %2, which is missing: the file is damaged, or was saved by a program that failed</source>
+        <translation>le sommet %1 a besoin du sommet %2, qui manque&#xa0;: le fichier est abîmé, ou a été enregistré par un programme qui a échoué</translation>
+    </message>
+    <message>
+        <source>label %1 is used on several scales, and becomes %2 on scale %3</source>
+        <translation>le label %1 est utilisé à plusieurs échelles, et devient %2 à l’échelle %3</translation>
+    </message>
+    <message>
+        <source>1 vertex has no label of letters and a number, and gets P or N</source>
+        <translation>1 sommet n’a pas de label fait de lettres et d’un nombre, et reçoit P ou N</translation>
+    </message>
+    <message>
+        <source>%1 vertices have no label of letters and a number, and get P or N</source>
+        <translation>%1 sommets n’ont pas de label fait de lettres et d’un nombre, et reçoivent P ou N</translation>
+    </message>
+    <message>
+        <source>1 edge is neither &lt; nor +, and is taken as &lt; where the parent has no other, else as +</source>
+        <translation>1 arête n’est ni &lt; ni +, et est prise pour &lt; si le parent n’en a pas d’autre, sinon pour +</translation>
+    </message>
+    <message>
+        <source>%1 edges are neither &lt; nor +, and are taken as &lt; where the parent has no other, else as +</source>
+        <translation>%1 arêtes ne sont ni &lt; ni +, et sont prises pour &lt; là où le parent n’en a pas d’autre, sinon pour +</translation>
+    </message>
+    <message>
+        <source>1 vertex has more than one successor, and is kept so</source>
+        <translation>1 sommet a plus d’un successeur, et est gardé ainsi</translation>
+    </message>
+    <message>
+        <source>%1 vertices have more than one successor, and are kept so</source>
+        <translation>%1 sommets ont plus d’un successeur, et sont gardés ainsi</translation>
+    </message>
+    <message>
+        <source>holds no vertices</source>
+        <translation>ne contient pas de sommets</translation>
+    </message>
+    <message>
+        <source>opcode %1 is not plain data, and this file may be meant to do harm: it is not read. If you trust it, save it as .mtg with the program that wrote it</source>
+        <translation>l’opcode %1 n’est pas une simple donnée, et ce fichier peut vouloir nuire&#xa0;: il n’est pas lu. Si vous lui faites confiance, enregistrez-le en .mtg avec le programme qui l’a écrit</translation>
+    </message>
+    <message>
+        <source>opcode %1 finds no mark: the file is damaged</source>
+        <translation>l’opcode %1 ne trouve pas de marque&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>opcode %1 finds nothing to work on: the file is damaged</source>
+        <translation>l’opcode %1 ne trouve rien à traiter&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>opcode %1 comes after more values than can be counted</source>
+        <translation>l’opcode %1 vient après plus de valeurs qu’on ne peut en compter</translation>
+    </message>
+    <message>
+        <source>opcode %1 has a text of negative length</source>
+        <translation>l’opcode %1 a un texte de longueur négative</translation>
+    </message>
+    <message>
+        <source>opcode %1 has %2, expected a number</source>
+        <translation>l’opcode %1 a %2, un nombre est attendu</translation>
+    </message>
+    <message>
+        <source>opcode %1 has an integer of more than 64 bits</source>
+        <translation>l’opcode %1 a un entier de plus de 64 bits</translation>
+    </message>
+    <message>
+        <source>opcode %1 has %2, expected an integer of up to 64 bits</source>
+        <translation>l’opcode %1 a %2, un entier de 64 bits au plus est attendu</translation>
+    </message>
+    <message>
+        <source>opcode %1 has %2, expected a text in quotes</source>
+        <translation>l’opcode %1 a %2, un texte entre guillemets est attendu</translation>
+    </message>
+    <message>
+        <source>opcode %1 does not find a list or set to add to: the file is damaged</source>
+        <translation>l’opcode %1 ne trouve pas de liste ou d’ensemble à compléter&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>opcode %1 does not find a dict to add to: the file is damaged</source>
+        <translation>l’opcode %1 ne trouve pas de dictionnaire à compléter&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>opcode %1 has a key without a value: the file is damaged</source>
+        <translation>l’opcode %1 a une clé sans valeur&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>opcode %1 asks for protocol %2, and 0 to %3 can be read: save it with an older protocol</source>
+        <translation>l’opcode %1 demande le protocole %2, et on peut lire de 0 à %3&#xa0;: enregistrez-le avec un protocole plus ancien</translation>
+    </message>
+    <message>
+        <source>opcode %1 has %2, expected the number of a memo</source>
+        <translation>l’opcode %1 a %2, le numéro d’un mémo est attendu</translation>
+    </message>
+    <message>
+        <source>opcode %1 asks for memo %2, which was never set: the file is damaged</source>
+        <translation>l’opcode %1 demande le mémo %2, qui n’a jamais été rempli&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>opcode %1 does not find the text of a module: the file is damaged</source>
+        <translation>l’opcode %1 ne trouve pas le texte d’un module&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>opcode %1 does not find the text of a name: the file is damaged</source>
+        <translation>l’opcode %1 ne trouve pas le texte d’un nom&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>opcode %1 asks for %2 of %3, which a plant does not need, and this file may be meant to do harm: it is not read. If you trust it, save it as .mtg with the program that wrote it</source>
+        <translation>l’opcode %1 demande %2 de %3, dont une plante n’a pas besoin, et ce fichier peut vouloir nuire&#xa0;: il n’est pas lu. Si vous lui faites confiance, enregistrez-le en .mtg avec le programme qui l’a écrit</translation>
+    </message>
+    <message>
+        <source>opcode %1 does not find a class: the file is damaged</source>
+        <translation>l’opcode %1 ne trouve pas de classe&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>opcode %1 does not find a tuple: the file is damaged</source>
+        <translation>l’opcode %1 ne trouve pas de tuple&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>opcode %1 does not find an object: the file is damaged</source>
+        <translation>l’opcode %1 ne trouve pas d’objet&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>opcode %1 sets the state of an object twice: the file is damaged</source>
+        <translation>l’opcode %1 fixe deux fois l’état d’un objet&#xa0;: le fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>repeats its %1 points more than %2 times: export the points alone, or as PLY</source>
+        <translation>répète ses %1 points plus de %2 fois&#xa0;: exportez les points seuls, ou en PLY</translation>
+    </message>
+    <message>
+        <source>holds %1 points, more than can be worked on at once: thin or split it</source>
+        <translation>contient %1 points, plus qu’on ne peut en traiter à la fois&#xa0;: éclaircissez-le ou divisez-le</translation>
+    </message>
+    <message>
+        <source>objects that are no point sets are passed over: %1</source>
+        <translation>les objets qui ne sont pas des ensembles de points sont laissés de côté&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>1 point in objects that the scene bends, or turns unclearly, left out</source>
+        <translation>1 point dans des objets que la scène courbe, ou tourne de façon peu claire, écarté</translation>
+    </message>
+    <message>
+        <source>%1 points in objects that the scene bends, or turns unclearly, left out</source>
+        <translation>%1 points dans des objets que la scène courbe, ou tourne de façon peu claire, écartés</translation>
+    </message>
+    <message>
+        <source>1 point set has another number of colors than of points, and loses them</source>
+        <translation>1 ensemble de points n’a pas autant de couleurs que de points, et les perd</translation>
+    </message>
+    <message>
+        <source>%1 point sets have another number of colors than of points, and lose them</source>
+        <translation>%1 ensembles de points n’ont pas autant de couleurs que de points, et les perdent</translation>
+    </message>
+    <message>
+        <source>its octree (COPC) does not fit its points, so no part of them is found: the file is damaged, copy or export it again</source>
+        <translation>son octree (COPC) ne correspond pas à ses points, on ne peut donc pas en trouver une partie&#xa0;: le fichier est endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>promises %1 points of hardly any bits, as of no scan: the file is damaged, export it again</source>
+        <translation>annonce %1 points de presque aucun bit, comme aucun scan n’en a&#xa0;: le fichier est endommagé, exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points are marked as having no position and are left out</source>
+        <translation>%1 points sur %2 sont marqués comme n’ayant pas de position et sont écartés</translation>
+    </message>
+    <message>
+        <source>its points have neither cartesianX, Y and Z nor sphericalRange, Azimuth and Elevation: export them with Cartesian coordinates</source>
+        <translation>ses points n’ont ni cartesianX, Y et Z ni sphericalRange, Azimuth et Elevation&#xa0;: exportez-les avec des coordonnées cartésiennes</translation>
+    </message>
+    <message>
+        <source>expected an integer of 64 bits as %1, found %2</source>
+        <translation>un entier de 64 bits est attendu pour %1, mais on trouve %2</translation>
+    </message>
+    <message>
+        <source>the maximum of %1 is below its minimum: the file is damaged, export it again</source>
+        <translation>le maximum de %1 est inférieur à son minimum&#xa0;: le fichier est endommagé, exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>the field %1 is of type %2, expected Float, Integer or ScaledInteger</source>
+        <translation>le champ %1 est de type %2, alors que Float, Integer ou ScaledInteger est attendu</translation>
+    </message>
+    <message>
+        <source>a packet of %1 bytes starts here, but only %2 follow: the file is damaged, copy or export it again</source>
+        <translation>un paquet de %1 octets commence ici, mais seulement %2 suivent&#xa0;: le fichier est endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>expected a packet of type 0 to 2 within %1 bytes, found type %2 of %3 bytes: the file is damaged, copy or export it again</source>
+        <translation>un paquet de type 0 à 2 est attendu dans les %1 octets qui restent, mais on trouve le type %2 de %3 octets&#xa0;: le fichier est endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>says that a section of points starts at byte %1, where none can be: the file is damaged, copy or export it again</source>
+        <translation>dit qu’une section de points commence à l’octet %1, où il ne peut pas y en avoir&#xa0;: le fichier est endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>the header of points of %1 bytes starts here, but only %2 follow: the file is damaged, copy or export it again</source>
+        <translation>l’en-tête des points, de %1 octets, commence ici, mais seulement %2 suivent&#xa0;: le fichier est endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>expected a section of points, which begins with 1, found %1: the file is damaged, copy or export it again</source>
+        <translation>une section de points, qui commence par 1, est attendue, mais on trouve %1&#xa0;: le fichier est endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>a section of points of %1 bytes starts here, but only %2 follow: the file is damaged, copy or export it again</source>
+        <translation>une section de points de %1 octets commence ici, mais seulement %2 suivent&#xa0;: le fichier est endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>says that the first packet of points starts at byte %1, where none can be: the file is damaged, copy or export it again</source>
+        <translation>dit que le premier paquet de points commence à l’octet %1, où il ne peut pas y en avoir&#xa0;: le fichier est endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>the first packet of points is not within their section: the file is damaged, copy or export it again</source>
+        <translation>le premier paquet de points n’est pas dans leur section&#xa0;: le fichier est endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>two scans have the same section of points: the file is damaged, export it again</source>
+        <translation>deux scans ont la même section de points&#xa0;: le fichier est endommagé, exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>a packet of data ends within its header: the file is damaged, copy or export it again</source>
+        <translation>un paquet de données s’arrête dans son en-tête&#xa0;: le fichier est endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>a packet of data has %1 streams, but its points have %2 fields: the file is damaged, copy or export it again</source>
+        <translation>un paquet de données a %1 flux, mais ses points ont %2 champs&#xa0;: le fichier est endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>the streams of a packet of data are longer than it is: the file is damaged, copy or export it again</source>
+        <translation>les flux d’un paquet de données sont plus longs que lui&#xa0;: le fichier est endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>the packets end here, with %1 of %2 points: the file is damaged, copy or export it again</source>
+        <translation>les paquets s’arrêtent ici, avec %1 points sur %2&#xa0;: le fichier est endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>page %1 of %2 does not fit its checksum: the file is damaged, copy or export it again</source>
+        <translation>la page %1 sur %2 ne correspond pas à sa somme de contrôle&#xa0;: le fichier est endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>is no E57 file, it does not begin with %1</source>
+        <translation>n’est pas un fichier E57, il ne commence pas par %1</translation>
+    </message>
+    <message>
+        <source>ends within its header: the file is cut short, copy or export it again</source>
+        <translation>s’arrête dans son en-tête&#xa0;: le fichier est tronqué, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>is E57 %1, and version 1 can be read: export it as that</source>
+        <translation>est en E57 %1, et seule la version 1 peut être lue&#xa0;: exportez-le dans celle-ci</translation>
+    </message>
+    <message>
+        <source>has pages of %1 bytes, not of %2: the header is damaged, copy or export it again</source>
+        <translation>a des pages de %1 octets, et non de %2&#xa0;: l’en-tête est endommagé, copiez le fichier ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>its header promises %1 bytes, but it has %2: the file is cut short, copy or export it again</source>
+        <translation>son en-tête annonce %1 octets, mais il en a %2&#xa0;: le fichier est tronqué, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>says it has %1 bytes, which are no whole pages: the header is damaged, copy or export it again</source>
+        <translation>dit avoir %1 octets, ce qui ne fait pas des pages entières&#xa0;: l’en-tête est endommagé, copiez le fichier ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>says that the XML of %1 bytes starts at byte %2, where none can be: the file is damaged, copy or export it again</source>
+        <translation>dit que le XML de %1 octets commence à l’octet %2, où il ne peut pas y en avoir&#xa0;: le fichier est endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>expected a whole number as %1, found %2</source>
+        <translation>un nombre entier est attendu pour %1, mais on trouve %2</translation>
+    </message>
+    <message>
+        <source>the points are packed by %1, which E57 1.0 does not know: export them again, as E57 1.0</source>
+        <translation>les points sont compressés par %1, qu’E57 1.0 ne connaît pas&#xa0;: exportez-les à nouveau, en E57 1.0</translation>
+    </message>
+    <message>
+        <source>the rotation of station %1 is no unit quaternion: its points are moved, not turned</source>
+        <translation>la rotation de la station %1 n’est pas un quaternion unitaire&#xa0;: ses points sont déplacés, mais pas tournés</translation>
+    </message>
+    <message>
+        <source>holds no points, a line each of at least 3 numbers</source>
+        <translation>ne contient pas de points, c’est-à-dire des lignes d’au moins 3 nombres</translation>
+    </message>
+    <message>
+        <source>has 1 column, and a point has x, y and z: export it again with all three</source>
+        <translation>a 1 colonne, alors qu’un point a x, y et z&#xa0;: exportez-le à nouveau avec les trois</translation>
+    </message>
+    <message>
+        <source>has %1 columns, and a point has x, y and z: export it again with all three</source>
+        <translation>a %1 colonnes, alors qu’un point a x, y et z&#xa0;: exportez-le à nouveau avec les trois</translation>
+    </message>
+    <message>
+        <source>is compressed (LAZ), not LAS: name it so, as a.laz</source>
+        <translation>est compressé (LAZ), ce n’est pas du LAS&#xa0;: nommez-le en conséquence, par exemple a.laz</translation>
+    </message>
+    <message>
+        <source>has points of format %1, which LAS 1.4 does not define: convert it to one of 0 to 10</source>
+        <translation>a des points au format %1, que LAS 1.4 ne définit pas&#xa0;: convertissez-le en un format de 0 à 10</translation>
+    </message>
+    <message>
+        <source>says its points of format %1 have %2 bytes, fewer than the %3 of this format: the header is damaged, export it again</source>
+        <translation>dit que ses points au format %1 ont %2 octets, moins que les %3 de ce format&#xa0;: l’en-tête est endommagé, exportez le fichier à nouveau</translation>
+    </message>
+    <message>
+        <source>says its points start at byte %1 of %2: the file is cut short or damaged, copy or export it again</source>
+        <translation>dit que ses points commencent à l’octet %1 sur %2&#xa0;: le fichier est tronqué ou endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>is no LAS file, it does not begin with LASF</source>
+        <translation>n’est pas un fichier LAS, il ne commence pas par LASF</translation>
+    </message>
+    <message>
+        <source>is LAS %1, and versions 1.0 to 1.4 can be read: convert it to 1.4</source>
+        <translation>est en LAS %1, et seules les versions 1.0 à 1.4 peuvent être lues&#xa0;: convertissez-le en 1.4</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points are flagged as withheld and are left out</source>
+        <translation>%1 points sur %2 sont marqués comme retirés («&#xa0;withheld&#xa0;») et sont écartés</translation>
+    </message>
+    <message>
+        <source>its header promises %1 points, but only %2 bytes follow: the file is cut short or damaged, copy or export it again</source>
+        <translation>son en-tête annonce %1 points, mais seulement %2 octets suivent&#xa0;: le fichier est tronqué ou endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>its points from byte %1 on cannot be unpacked: the file is damaged, copy or export it again</source>
+        <translation>ses points à partir de l’octet %1 ne peuvent pas être décompressés&#xa0;: le fichier est endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>is LAS, not compressed (LAZ): name it so, as a.las</source>
+        <translation>est en LAS, non compressé (LAZ)&#xa0;: nommez-le en conséquence, par exemple a.las</translation>
+    </message>
+    <message>
+        <source>ends within its record of LASzip: the file is cut short or damaged, copy or export it again</source>
+        <translation>s’arrête dans son enregistrement de LASzip&#xa0;: le fichier est tronqué ou endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>says of what its points consist, but not as points of format %1 with %2 bytes do: the file is cut short or damaged, copy or export it again</source>
+        <translation>dit de quoi ses points se composent, mais autrement que des points au format %1 de %2 octets&#xa0;: le fichier est tronqué ou endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>is compressed by a method of number %1, and 1 to 3 can be read: unpack it to LAS, as by &apos;laszip -i %2 -o unpacked.las&apos;</source>
+        <translation>est compressé par une méthode de numéro %1, et seules 1 à 3 peuvent être lues&#xa0;: décompressez-le en LAS, par exemple avec «&#xa0;laszip -i %2 -o unpacked.las&#xa0;»</translation>
+    </message>
+    <message>
+        <source>is compressed by a coder of number %1, and 0 can be read: unpack it to LAS, as by &apos;laszip -i %2 -o unpacked.las&apos;</source>
+        <translation>est compressé par un codeur de numéro %1, et seul 0 peut être lu&#xa0;: décompressez-le en LAS, par exemple avec «&#xa0;laszip -i %2 -o unpacked.las&#xa0;»</translation>
+    </message>
+    <message>
+        <source>has parts of points (item %1) that are compressed in version %2, which cannot be read: unpack it to LAS, as by &apos;laszip -i %3 -o unpacked.las&apos;</source>
+        <translation>a des parties de points (élément %1) compressées dans la version %2, qui ne peut pas être lue&#xa0;: décompressez-le en LAS, par exemple avec «&#xa0;laszip -i %3 -o unpacked.las&#xa0;»</translation>
+    </message>
+    <message>
+        <source>says its points of format %1 are compressed by method %2, which is for other formats: the file is cut short or damaged, copy or export it again</source>
+        <translation>dit que ses points au format %1 sont compressés par la méthode %2, qui est pour d’autres formats&#xa0;: le fichier est tronqué ou endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>ends before its first point: the file is cut short or damaged, copy or export it again</source>
+        <translation>s’arrête avant son premier point&#xa0;: le fichier est tronqué ou endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>has no table of its chunks of points where it should be: the file is cut short or damaged, copy or export it again</source>
+        <translation>n’a pas de table de ses blocs de points là où elle devrait être&#xa0;: le fichier est tronqué ou endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>has a table of chunks that does not fit its %1 points: the file is cut short or damaged, copy or export it again</source>
+        <translation>a une table de blocs qui ne correspond pas à ses %1 points&#xa0;: le fichier est tronqué ou endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>has no record of LASzip on how its points are compressed: the file is cut short or damaged, copy or export it again</source>
+        <translation>n’a pas d’enregistrement de LASzip disant comment ses points sont compressés&#xa0;: le fichier est tronqué ou endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>has no field &apos;%1&apos;: export it with x, y and z</source>
+        <translation>n’a pas de champ «&#xa0;%1&#xa0;»&#xa0;: exportez-le avec x, y et z</translation>
+    </message>
+    <message>
+        <source>expected a number as value %1, found the end of the line</source>
+        <translation>un nombre est attendu comme valeur %1, mais on trouve la fin de la ligne</translation>
+    </message>
+    <message>
+        <source>expected a number as value %1, found %2</source>
+        <translation>un nombre est attendu comme valeur %1, mais on trouve %2</translation>
+    </message>
+    <message>
+        <source>ends after %1 of %2 points: it is cut short, copy or export it again</source>
+        <translation>s’arrête après %1 points sur %2&#xa0;: il est tronqué, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>its %1 bytes of compressed data would unpack to %2 bytes of %3 points, as of no scan: export it again, not compressed</source>
+        <translation>ses %1 octets de données compressées se décompresseraient en %2 octets de %3 points, comme aucun scan n’en a&#xa0;: exportez-le à nouveau, sans compression</translation>
+    </message>
+    <message>
+        <source>ends before its data: it is cut short</source>
+        <translation>s’arrête avant ses données&#xa0;: il est tronqué</translation>
+    </message>
+    <message>
+        <source>its header promises %1 bytes of compressed data, but only %2 follow: the file is cut short, copy or export it again</source>
+        <translation>son en-tête annonce %1 octets de données compressées, mais seulement %2 suivent&#xa0;: le fichier est tronqué, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>its compressed data is damaged: copy or export it again</source>
+        <translation>ses données compressées sont endommagées&#xa0;: copiez le fichier ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>expected a whole number, found %1</source>
+        <translation>un nombre entier est attendu, mais on trouve %1</translation>
+    </message>
+    <message>
+        <source>a field of type %1 cannot have 1 byte</source>
+        <translation>un champ de type %1 ne peut pas avoir 1 octet</translation>
+    </message>
+    <message>
+        <source>a field of type %1 cannot have %2 bytes</source>
+        <translation>un champ de type %1 ne peut pas avoir %2 octets</translation>
+    </message>
+    <message>
+        <source>its header has no line %1</source>
+        <translation>son en-tête n’a pas de ligne %1</translation>
+    </message>
+    <message>
+        <source>expected %1 values, one per field, found %2</source>
+        <translation>%1 valeurs sont attendues, une par champ, mais on en trouve %2</translation>
+    </message>
+    <message>
+        <source>a field cannot have %1 values</source>
+        <translation>un champ ne peut pas avoir %1 valeurs</translation>
+    </message>
+    <message>
+        <source>expected a whole number</source>
+        <translation>un nombre entier est attendu</translation>
+    </message>
+    <message>
+        <source>WIDTH times HEIGHT is beyond any file</source>
+        <translation>WIDTH fois HEIGHT dépasse tout fichier possible</translation>
+    </message>
+    <message>
+        <source>data of kind %1 is unknown: expected ascii, binary or binary_compressed</source>
+        <translation>les données de type %1 sont inconnues&#xa0;: ascii, binary ou binary_compressed est attendu</translation>
+    </message>
+    <message>
+        <source>its header has no line DATA: it is no PCD file, or is cut short</source>
+        <translation>son en-tête n’a pas de ligne DATA&#xa0;: ce n’est pas un fichier PCD, ou il est tronqué</translation>
+    </message>
+    <message>
+        <source>its element &apos;vertex&apos; has no property &apos;%1&apos;: export it with x, y and z</source>
+        <translation>son élément «&#xa0;vertex&#xa0;» n’a pas de propriété «&#xa0;%1&#xa0;»&#xa0;: exportez-le avec x, y et z</translation>
+    </message>
+    <message>
+        <source>ends within %1 %2 of %3: the file is cut short or damaged, copy or export it again</source>
+        <translation>s’arrête dans %1 %2 sur %3&#xa0;: le fichier est tronqué ou endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>expected %1 numbers, found %2</source>
+        <translation>%1 nombres sont attendus, mais on en trouve %2</translation>
+    </message>
+    <message>
+        <source>expected a number, found %1</source>
+        <translation>un nombre est attendu, mais on trouve %1</translation>
+    </message>
+    <message>
+        <source>is a mesh: 1 face left out, its corners are taken as points</source>
+        <translation>est un maillage&#xa0;: 1&#xa0;face est écartée, ses sommets sont pris comme points</translation>
+    </message>
+    <message>
+        <source>is a mesh: %1 faces left out, its corners are taken as points</source>
+        <translation>est un maillage&#xa0;: %1&#xa0;faces sont écartées, leurs sommets sont pris comme points</translation>
+    </message>
+    <message>
+        <source>has no element &apos;vertex&apos;, so no points</source>
+        <translation>n’a pas d’élément «&#xa0;vertex&#xa0;», donc pas de points</translation>
+    </message>
+    <message>
+        <source>%1 is no type of PLY: expected one as &apos;float&apos; or &apos;uchar&apos;</source>
+        <translation>%1 n’est pas un type de PLY&#xa0;: un type comme «&#xa0;float&#xa0;» ou «&#xa0;uchar&#xa0;» est attendu</translation>
+    </message>
+    <message>
+        <source>the format %1 is unknown: expected ascii, binary_little_endian or binary_big_endian</source>
+        <translation>le format %1 est inconnu&#xa0;: ascii, binary_little_endian ou binary_big_endian est attendu</translation>
+    </message>
+    <message>
+        <source>expected a name and a count after &apos;element&apos;, found %1 for the count</source>
+        <translation>un nom et un nombre sont attendus après «&#xa0;element&#xa0;», mais on trouve %1 comme nombre</translation>
+    </message>
+    <message>
+        <source>the length of a list must be of an integer type</source>
+        <translation>la longueur d’une liste doit être de type entier</translation>
+    </message>
+    <message>
+        <source>a property has no name</source>
+        <translation>une propriété n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>is no PLY file, its first line is not &apos;ply&apos;</source>
+        <translation>n’est pas un fichier PLY, sa première ligne n’est pas «&#xa0;ply&#xa0;»</translation>
+    </message>
+    <message>
+        <source>a property stands before any element</source>
+        <translation>une propriété précède tout élément</translation>
+    </message>
+    <message>
+        <source>the header has no line &apos;format&apos;</source>
+        <translation>l’en-tête n’a pas de ligne «&#xa0;format&#xa0;»</translation>
+    </message>
+    <message>
+        <source>%1 is unknown in the header of a PLY file</source>
+        <translation>%1 est inconnu dans l’en-tête d’un fichier PLY</translation>
+    </message>
+    <message>
+        <source>has no line &apos;end_header&apos;: it is cut short, copy or export it again</source>
+        <translation>n’a pas de ligne «&#xa0;end_header&#xa0;»&#xa0;: il est tronqué, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>its header promises %1 points of at least %2 bytes, but only %3 bytes follow: the file is cut short or damaged, copy or export it again</source>
+        <translation>son en-tête annonce %1 points d’au moins %2 octets, mais seulement %3 octets suivent&#xa0;: le fichier est tronqué ou endommagé, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>became shorter while it was read: wait until it is complete, and try again</source>
+        <translation>a raccourci pendant sa lecture&#xa0;: attendez qu’il soit complet, et réessayez</translation>
+    </message>
+    <message>
+        <source>expected a whole number of columns or rows, found %1</source>
+        <translation>un nombre entier de colonnes ou de rangées est attendu, mais on trouve %1</translation>
+    </message>
+    <message>
+        <source>ends within the header of a block: it is cut short, copy or export it again</source>
+        <translation>s’arrête dans l’en-tête d’un bloc&#xa0;: il est tronqué, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>the matrix that ends here makes all points flat: the header is damaged, export it again</source>
+        <translation>la matrice qui se termine ici aplatit tous les points&#xa0;: l’en-tête est endommagé, exportez le fichier à nouveau</translation>
+    </message>
+    <message>
+        <source>ends after %1 of %2 points of its last block: it is cut short, copy or export it again</source>
+        <translation>s’arrête après %1 points sur %2 de son dernier bloc&#xa0;: il est tronqué, copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>expected x y z, intensity and red green blue, 4 or 7 numbers, found %1</source>
+        <translation>x y z, intensité et rouge vert bleu, soit 4 ou 7 nombres, sont attendus, mais on en trouve %1</translation>
+    </message>
+    <message>
+        <source>expected %1 numbers as in the lines before, found %2</source>
+        <translation>%1 nombres sont attendus comme dans les lignes précédentes, mais on en trouve %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points have no return (0 0 0) and are left out</source>
+        <translation>%1 points sur %2 n’ont pas de retour (0 0 0) et sont écartés</translation>
+    </message>
+    <message>
+        <source>expected the header of a block of PTX, ten lines of numbers</source>
+        <translation>l’en-tête d’un bloc PTX, dix lignes de nombres, est attendu</translation>
+    </message>
+    <message>
+        <source>holds %1 stations, which are joined into one set of points</source>
+        <translation>contient %1 stations, qui sont réunies en un seul ensemble de points</translation>
+    </message>
+    <message>
+        <source>no colors in %1 of %2 stations: points there are black</source>
+        <translation>pas de couleurs dans %1 stations sur %2&#xa0;: leurs points sont noirs</translation>
+    </message>
+    <message>
+        <source>no intensities in %1 of %2 stations: those of points there are 0</source>
+        <translation>pas d’intensités dans %1 stations sur %2&#xa0;: celles de leurs points valent 0</translation>
+    </message>
+    <message>
+        <source>%1 of %2 columns are left out; a first line as &apos;x y z intensity r g b&apos; names columns</source>
+        <translation>%1 colonnes sur %2 sont écartées&#xa0;; une première ligne comme «&#xa0;x y z intensity r g b&#xa0;» nomme les colonnes</translation>
+    </message>
+    <message>
+        <source>promises %1 points, but lists %2</source>
+        <translation>annonce %1 points, mais en liste %2</translation>
+    </message>
+    <message>
+        <source>expected 3 numbers, found text, and no points follow</source>
+        <translation>3 nombres sont attendus, mais on trouve du texte, et aucun point ne suit</translation>
+    </message>
+    <message>
+        <source>is no plain text, though its name says so: export it as text, or give it the extension of its format</source>
+        <translation>n’est pas du texte brut, bien que son nom le dise&#xa0;: exportez-le en texte, ou donnez-lui l’extension de son format</translation>
+    </message>
+    <message>
+        <source>1 column is named, but its first line of points has %2: name each, with - for those to leave out</source>
+        <translation>1 colonne est nommée, mais sa première ligne de points en a %2&#xa0;: nommez chacune, avec - pour celles à écarter</translation>
+    </message>
+    <message>
+        <source>%1 columns are named, but its first line of points has %2: name each, with - for those to leave out</source>
+        <translation>%1 colonnes sont nommées, mais sa première ligne de points en a %2&#xa0;: nommez chacune, avec - pour celles à écarter</translation>
+    </message>
+    <message>
+        <source>has a short element of more than 4 bytes: it is damaged</source>
+        <translation>a un élément court de plus de 4 octets&#xa0;: il est abîmé</translation>
+    </message>
+    <message>
+        <source>gives no size of the names of its fields: it is damaged</source>
+        <translation>ne donne pas la taille des noms de ses champs&#xa0;: il est abîmé</translation>
+    </message>
+    <message>
+        <source>has names of fields that are cut short: it is damaged</source>
+        <translation>a des noms de champs qui sont tronqués&#xa0;: il est abîmé</translation>
+    </message>
+    <message>
+        <source>has a field that is no matrix: it is damaged</source>
+        <translation>a un champ qui n’est pas une matrice&#xa0;: il est abîmé</translation>
+    </message>
+    <message>
+        <source>has numbers of a type that is not known: it is damaged</source>
+        <translation>a des nombres d’un type inconnu&#xa0;: il est abîmé</translation>
+    </message>
+    <message>
+        <source>has 1 number, expected %2 x %3: it is damaged</source>
+        <translation>a 1 nombre, %2 x %3 sont attendus&#xa0;: il est abîmé</translation>
+    </message>
+    <message>
+        <source>has %1 numbers, expected %2 x %3: it is damaged</source>
+        <translation>a %1 nombres, %2 x %3 sont attendus&#xa0;: il est abîmé</translation>
+    </message>
+    <message>
+        <source>has %1 numbers in one array, more than any model: at most %2 are read</source>
+        <translation>a %1 nombres dans un seul tableau, plus qu’aucun modèle&#xa0;: %2 au plus sont lus</translation>
+    </message>
+    <message>
+        <source>has a variable without a size: it is damaged</source>
+        <translation>a une variable sans taille&#xa0;: il est abîmé</translation>
+    </message>
+    <message>
+        <source>has a variable of too many elements to be true: it is damaged</source>
+        <translation>a une variable de trop d’éléments pour être vraie&#xa0;: il est abîmé</translation>
+    </message>
+    <message>
+        <source>has a variable without flags: it is damaged</source>
+        <translation>a une variable sans indicateurs&#xa0;: il est abîmé</translation>
+    </message>
+    <message>
+        <source>ends within its header: the file is cut short, copy it again</source>
+        <translation>s’arrête au milieu de son en-tête&#xa0;: le fichier est tronqué, copiez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>is a MAT file of version 7.3, and 5 to 7 can be read: save it by save(name, &apos;-v7&apos;, ...)</source>
+        <translation>est un fichier MAT de version 7.3, et on peut lire de 5 à 7&#xa0;: enregistrez-le par save(name, &apos;-v7&apos;, ...)</translation>
+    </message>
+    <message>
+        <source>is no MAT file of MATLAB 5 to 7: save it again by save(name, &apos;-v7&apos;, ...)</source>
+        <translation>n’est pas un fichier MAT de MATLAB 5 à 7&#xa0;: enregistrez-le à nouveau par save(name, &apos;-v7&apos;, ...)</translation>
+    </message>
+    <message>
+        <source>has a variable that unpacks to over 128 MiB, as of no model: save the model alone</source>
+        <translation>a une variable qui décompressée dépasse 128 Mio, comme celle d’aucun modèle&#xa0;: enregistrez le modèle seul</translation>
+    </message>
+    <message>
+        <source>has a variable that cannot be unpacked: the file is damaged, save it again</source>
+        <translation>a une variable qui ne peut pas être décompressée&#xa0;: le fichier est abîmé, enregistrez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>unpacks to over 1 GiB up to here, as of no model: save the model alone</source>
+        <translation>décompressé dépasse 1 Gio jusqu’ici, comme aucun modèle&#xa0;: enregistrez le modèle seul</translation>
+    </message>
+    <message>
+        <source>holds no cylinders: export it again</source>
+        <translation>ne contient pas de cylindres&#xa0;: exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>cylinder %1 has a value that is not finite</source>
+        <translation>le cylindre %1 a une valeur qui n’est pas finie</translation>
+    </message>
+    <message>
+        <source>cylinder %1 has a negative radius</source>
+        <translation>le cylindre %1 a un rayon négatif</translation>
+    </message>
+    <message>
+        <source>cylinder %1 is attached to cylinder %2, and there are %3: the table is cut short or damaged</source>
+        <translation>le cylindre %1 est attaché au cylindre %2, et il y en a %3&#xa0;: le tableau est tronqué ou abîmé</translation>
+    </message>
+    <message>
+        <source>cylinder %1 is among its own ancestors: correct its parent</source>
+        <translation>le cylindre %1 est parmi ses propres ancêtres&#xa0;: corrigez son parent</translation>
+    </message>
+    <message>
+        <source>does not say which cylinder continues another: the first in the file is taken</source>
+        <translation>ne dit pas quel cylindre en continue un autre&#xa0;: le premier dans le fichier est pris</translation>
+    </message>
+    <message>
+        <source>1 cylinder begins farther than its radius from the end of the one that bears it, by up to %2; the edge begins at that end nevertheless</source>
+        <translation>1 cylindre commence à plus de son rayon de la fin de celui qui le porte, à %2&#xa0;; l’arête commence tout de même à cette fin</translation>
+    </message>
+    <message>
+        <source>%1 cylinders begin farther than its radius from the end of the one that bears it, by up to %2; the edge begins at that end nevertheless</source>
+        <translation>%1 cylindres commencent à plus d’un rayon de la fin de celui qui les porte, jusqu’à %2&#xa0;; l’arête commence tout de même à cette fin</translation>
+    </message>
+    <message>
+        <source>1 extension is a cylinder that is not attached to the one it should extend, and is passed over</source>
+        <translation>1 prolongement est un cylindre qui n’est pas attaché à celui qu’il devrait prolonger, et est laissé de côté</translation>
+    </message>
+    <message>
+        <source>%1 extensions are cylinders that are not attached to the ones they should extend, and are passed over</source>
+        <translation>%1 prolongements sont des cylindres qui ne sont pas attachés à ceux qu’ils devraient prolonger, et sont laissés de côté</translation>
+    </message>
+    <message>
+        <source>cylinder %1 has a negative length</source>
+        <translation>le cylindre %1 a une longueur négative</translation>
+    </message>
+    <message>
+        <source>cylinder %1 has an axis that is not of length 1: the file is damaged, save it again</source>
+        <translation>le cylindre %1 a un axe qui n’est pas de longueur 1&#xa0;: le fichier est abîmé, enregistrez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>cylinder %1 has no whole number as %2</source>
+        <translation>le cylindre %1 n’a pas de nombre entier pour %2</translation>
+    </message>
+    <message>
+        <source>field &apos;%1&apos; of its cylinders is missing: save the whole model of TreeQSM</source>
+        <translation>le champ «&#xa0;%1&#xa0;» de ses cylindres manque&#xa0;: enregistrez tout le modèle de TreeQSM</translation>
+    </message>
+    <message>
+        <source>field &apos;%1&apos; of its cylinders is no table of numbers</source>
+        <translation>le champ «&#xa0;%1&#xa0;» de ses cylindres n’est pas un tableau de nombres</translation>
+    </message>
+    <message>
+        <source>field &apos;%1&apos; of its cylinders has %2 x %3 values, expected %4 x %5</source>
+        <translation>le champ «&#xa0;%1&#xa0;» de ses cylindres a %2 x %3 valeurs, %4 x %5 sont attendues</translation>
+    </message>
+    <message>
+        <source>holds %1 models, of which the first is read</source>
+        <translation>contient %1 modèles, dont le premier est lu</translation>
+    </message>
+    <message>
+        <source>holds no model of TreeQSM: expected a structure with a field &apos;cylinder&apos;</source>
+        <translation>ne contient pas de modèle de TreeQSM&#xa0;: une structure avec un champ «&#xa0;cylinder&#xa0;» est attendue</translation>
+    </message>
+    <message>
+        <source>expected %1 columns, found %2</source>
+        <translation>%1 colonnes sont attendues, trouvé %2</translation>
+    </message>
+    <message>
+        <source>expected a number in column %1, found %2</source>
+        <translation>un nombre est attendu dans la colonne %1, trouvé %2</translation>
+    </message>
+    <message>
+        <source>expected a whole number in column %1, found %2</source>
+        <translation>un nombre entier est attendu dans la colonne %1, trouvé %2</translation>
+    </message>
+    <message>
+        <source>the length is negative</source>
+        <translation>la longueur est négative</translation>
+    </message>
+    <message>
+        <source>the axis has no direction</source>
+        <translation>l’axe n’a pas de direction</translation>
+    </message>
+    <message>
+        <source>node %1 has a position or radius that is not finite: move or remove it</source>
+        <translation>le nœud %1 a une position ou un rayon qui n’est pas fini&#xa0;: déplacez-le ou retirez-le</translation>
+    </message>
+    <message>
+        <source>is no table of cylinders: its first line should name the columns radius, length, start_x ..., axis_x ..., parent, as TreeQSM does</source>
+        <translation>n’est pas un tableau de cylindres&#xa0;: sa première ligne devrait nommer les colonnes radius, length, start_x ..., axis_x ..., parent, comme le fait TreeQSM</translation>
+    </message>
+    <message>
+        <source>columns that are not kept: %1</source>
+        <translation>colonnes qui ne sont pas gardées&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>1 point lies far from all others, %1 away: the step Clean leaves it out, and spacing, size and view are those of the others</source>
+        <translation>1 point est loin de tous les autres, à %1&#xa0;: l’étape Nettoyer l’écarte, et l’espacement, la taille et la vue sont ceux des autres</translation>
+    </message>
+    <message>
+        <source>%1 points lie far from all others, up to %2 away: the step Clean leaves them out, and spacing, size and view are those of the others</source>
+        <translation>%1 points sont loin de tous les autres, jusqu’à %2&#xa0;: l’étape Nettoyer les écarte, et l’espacement, la taille et la vue sont ceux des autres</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie at the place of another: each place counts once</source>
+        <translation>%1 points sur %2 sont à la place d’un autre&#xa0;: chaque place compte une fois</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points are not finite, or beyond any plant, and are left out</source>
+        <translation>%1 points sur %2 ne sont pas finis, ou sont plus loin qu’aucune plante, et sont laissés de côté</translation>
+    </message>
+    <message>
+        <source>holds no graph</source>
+        <translation>ne contient pas de graphe</translation>
+    </message>
+    <message>
+        <source>holds no nodes</source>
+        <translation>ne contient pas de nœuds</translation>
+    </message>
+    <message>
+        <source>its data %1 are left out</source>
+        <translation>ses données %1 sont écartées</translation>
+    </message>
+    <message>
+        <source>the node %1 has no %2: its position is expected as data x, y and z</source>
+        <translation>le nœud %1 n’a pas de %2&#xa0;: sa position est attendue comme données x, y et z</translation>
+    </message>
+    <message>
+        <source>the node has no id</source>
+        <translation>le nœud n’a pas d’id</translation>
+    </message>
+    <message>
+        <source>the id %1 occurs twice</source>
+        <translation>l’id %1 apparaît deux fois</translation>
+    </message>
+    <message>
+        <source>the source of the edge, %1, is no node of the graph</source>
+        <translation>la source de l’arête, %1, n’est pas un nœud du graphe</translation>
+    </message>
+    <message>
+        <source>the target of the edge, %1, is no node of the graph</source>
+        <translation>la cible de l’arête, %1, n’est pas un nœud du graphe</translation>
+    </message>
+    <message>
+        <source>1 directed edge among undirected ones is left out</source>
+        <translation>1 arête orientée parmi des arêtes non orientées est écartée</translation>
+    </message>
+    <message>
+        <source>%1 directed edges among undirected ones are left out</source>
+        <translation>%1 arêtes orientées parmi des arêtes non orientées sont écartées</translation>
+    </message>
+    <message>
+        <source>the node %1 has two parents: a skeleton is a tree</source>
+        <translation>le nœud %1 a deux parents&#xa0;: un squelette est un arbre</translation>
+    </message>
+    <message>
+        <source>expected 7 fields parted by tabs (%1), found %2</source>
+        <translation>7 champs séparés par des tabulations (%1) sont attendus, trouvé %2</translation>
+    </message>
+    <message>
+        <source>the radius is negative</source>
+        <translation>le rayon est négatif</translation>
+    </message>
+    <message>
+        <source>the parent %1 is not in the list</source>
+        <translation>le parent %1 n’est pas dans la liste</translation>
+    </message>
+    <message>
+        <source>the node is among its own ancestors: correct its parent</source>
+        <translation>le nœud est parmi ses propres ancêtres&#xa0;: corrigez son parent</translation>
+    </message>
+    <message>
+        <source>has no edge types: the child that carries most continues each axis</source>
+        <translation>n’a pas de types d’arêtes&#xa0;: l’enfant qui porte le plus continue chaque axe</translation>
+    </message>
+    <message>
+        <source>holds no topology</source>
+        <translation>ne contient pas de topologie</translation>
+    </message>
+    <message>
+        <source>nodes are placed at the upper ends of the shapes of their organs; the meshes are left out</source>
+        <translation>les nœuds sont placés aux extrémités supérieures des formes de leurs organes&#xa0;; les maillages sont écartés</translation>
+    </message>
+    <message>
+        <source>expected a scale from %1 to %2, found %3</source>
+        <translation>une échelle de %1 à %2 est attendue, trouvé %3</translation>
+    </message>
+    <message>
+        <source>the vertex has no class</source>
+        <translation>le sommet n’a pas de classe</translation>
+    </message>
+    <message>
+        <source>this vertex of scale %1 is attached to nothing of its scale</source>
+        <translation>ce sommet d’échelle %1 n’est attaché à rien de son échelle</translation>
+    </message>
+    <message>
+        <source>a part of a vertex of scale %1 must have a finer scale, not %2</source>
+        <translation>une partie d’un sommet d’échelle %1 doit avoir une échelle plus fine, pas %2</translation>
+    </message>
+    <message>
+        <source>has more features, on more vertices, than fit into memory</source>
+        <translation>a plus d’attributs, sur plus de sommets, que la mémoire n’en peut contenir</translation>
+    </message>
+    <message>
+        <source>expected a matrix of 12 numbers, found more</source>
+        <translation>une matrice de 12 nombres est attendue, trouvé davantage</translation>
+    </message>
+    <message>
+        <source>expected a matrix of 12 numbers, found %1</source>
+        <translation>une matrice de 12 nombres est attendue, trouvé %1</translation>
+    </message>
+    <message>
+        <source>holds no polylines of roots</source>
+        <translation>ne contient pas de polylignes de racines</translation>
+    </message>
+    <message>
+        <source>its unit is %1, at a resolution of %2</source>
+        <translation>son unité est %1, à une résolution de %2</translation>
+    </message>
+    <message>
+        <source>its points have no z, which is taken as 0</source>
+        <translation>ses points n’ont pas de z, qui est pris pour 0</translation>
+    </message>
+    <message>
+        <source>1 root has no polyline and is left out</source>
+        <translation>1 racine n’a pas de polyligne et est écartée</translation>
+    </message>
+    <message>
+        <source>%1 roots have no polyline and are left out</source>
+        <translation>%1 racines n’ont pas de polyligne et sont écartées</translation>
+    </message>
+    <message>
+        <source>1 root names a parent-node that is not there, and is attached to the nearest node</source>
+        <translation>1 racine nomme un parent-node qui n’existe pas, et est attachée au nœud le plus proche</translation>
+    </message>
+    <message>
+        <source>%1 roots name a parent-node that is not there, and are attached to the nearest node</source>
+        <translation>%1 racines nomment un parent-node qui n’existe pas, et sont attachées au nœud le plus proche</translation>
+    </message>
+    <message>
+        <source>its functions %1 are left out</source>
+        <translation>ses fonctions %1 sont écartées</translation>
+    </message>
+    <message>
+        <source>too many roots on long ones have no parent-node</source>
+        <translation>trop de racines sur de longues racines n’ont pas de parent-node</translation>
+    </message>
+    <message>
+        <source>no axis has a length: there is no surface to write</source>
+        <translation>aucun axe n’a de longueur&#xa0;: il n’y a pas de surface à écrire</translation>
+    </message>
+    <message>
+        <source>expected 7 numbers (id type x y z radius parent), found %1</source>
+        <translation>7 nombres (id type x y z radius parent) sont attendus, trouvé %1</translation>
+    </message>
+    <message>
+        <source>expected the names of the fields, x,y,z,radius,parent_id, found %1</source>
+        <translation>les noms des champs, x,y,z,radius,parent_id, sont attendus, trouvé %1</translation>
+    </message>
+    <message>
+        <source>expected %1 fields and then a multiple of %2, found %3</source>
+        <translation>%1 champs puis un multiple de %2 sont attendus, trouvé %3</translation>
+    </message>
+    <message>
+        <source>the tree has several segments, and no parent_id to join them</source>
+        <translation>l’arbre a plusieurs segments, et pas de parent_id pour les joindre</translation>
+    </message>
+    <message>
+        <source>segment %1: its parent_id is %2, but the tree has segments 0 to %3</source>
+        <translation>segment %1&#xa0;: son parent_id est %2, mais l’arbre a les segments 0 à %3</translation>
+    </message>
+    <message>
+        <source>segment %1: expected a number as %2, found %3</source>
+        <translation>segment %1&#xa0;: un nombre est attendu pour %2, trouvé %3</translation>
+    </message>
+    <message>
+        <source>holds no trees</source>
+        <translation>ne contient pas d’arbres</translation>
+    </message>
+    <message>
+        <source>its fields %1 are left out</source>
+        <translation>ses champs %1 sont écartés</translation>
+    </message>
+    <message>
+        <source>node %1 has a position or radius that is not finite: correct it before saving</source>
+        <translation>le nœud&#xa0;%1 a une position ou un rayon qui n’est pas fini&#xa0;: corrigez-le avant d’enregistrer</translation>
+    </message>
+    <message>
+        <source>%1 stands for a coordinate or radius of a vertex %2, expected a number</source>
+        <translation>%1 est donné comme coordonnée ou rayon d’un sommet %2, un nombre est attendu</translation>
+    </message>
+    <message>
+        <source>vertex %1, %2: its place or radius is beyond 1e12, as of no plant: correct or remove it</source>
+        <translation>sommet %1, %2&#xa0;: sa position ou son rayon dépasse 1e12, ce qu’aucune plante n’atteint&#xa0;: corrigez-le ou retirez-le</translation>
+    </message>
+    <message>
+        <source>1 more place was repaired</source>
+        <translation>1 autre endroit a été réparé</translation>
+    </message>
+    <message>
+        <source>%1 more places were repaired</source>
+        <translation>%1 autres endroits ont été réparés</translation>
+    </message>
+    <message>
+        <source>the column %1 stands there twice</source>
+        <translation>la colonne %1 y figure deux fois</translation>
+    </message>
+    <message>
+        <source>the feature %1 has a column but no type in FEATURES and is taken as ALPHA</source>
+        <translation>l’attribut %1 a une colonne mais pas de type dans FEATURES et est lu comme ALPHA</translation>
+    </message>
+    <message>
+        <source>the columns are parted by blanks: put tabs between them</source>
+        <translation>les colonnes sont séparées par des espaces&#xa0;: mettez des tabulations entre elles</translation>
+    </message>
+    <message>
+        <source>expected the line of columns, ENTITY-CODE ..., found %1</source>
+        <translation>la ligne des colonnes, ENTITY-CODE ..., est attendue, trouvé %1</translation>
+    </message>
+    <message>
+        <source>ends before the columns of its section MTG: it is cut short</source>
+        <translation>s’arrête avant les colonnes de sa section MTG&#xa0;: le fichier est tronqué</translation>
+    </message>
+    <message>
+        <source>values stand without a code before them</source>
+        <translation>des valeurs figurent sans code devant elles</translation>
+    </message>
+    <message>
+        <source>the code %1 stands among the columns of values: move it to the left, or these to the right</source>
+        <translation>le code %1 est parmi les colonnes de valeurs&#xa0;: déplacez-le à gauche, ou celles-ci à droite</translation>
+    </message>
+    <message>
+        <source>1 value stands in a column without a name and is left out</source>
+        <translation>1 valeur est dans une colonne sans nom et est laissée de côté</translation>
+    </message>
+    <message>
+        <source>%1 values stand in columns without a name and are left out</source>
+        <translation>%1 valeurs sont dans des colonnes sans nom et sont laissées de côté</translation>
+    </message>
+    <message>
+        <source>%1 stands left of the columns of values and is left out</source>
+        <translation>%1 est à gauche des colonnes de valeurs et est laissé de côté</translation>
+    </message>
+    <message>
+        <source>two codes stand in one line, %1 and %2</source>
+        <translation>deux codes sont sur une même ligne, %1 et %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2, expected a number with a decimal point, not a comma</source>
+        <translation>%1 vaut %2, un nombre avec un point décimal, et non une virgule, est attendu</translation>
+    </message>
+    <message>
+        <source>%1 is %2, expected a number</source>
+        <translation>%1 vaut %2, un nombre est attendu</translation>
+    </message>
+    <message>
+        <source>the ranges up to here share too many values: correct the index</source>
+        <translation>les plages jusqu’ici partagent trop de valeurs&#xa0;: corrigez l’indice</translation>
+    </message>
+    <message>
+        <source>1 code with &lt; but no ^ stands below another of its column, in line %1: it follows the vertex above it, as OpenAlea reads</source>
+        <translation>1 code avec &lt; mais sans ^ est sous un autre de sa colonne, à la ligne %1&#xa0;: il suit le sommet au-dessus de lui, comme lit OpenAlea</translation>
+    </message>
+    <message>
+        <source>1 code with &lt; but no ^ stands below another of its column, in line %1: it follows the column before, as the specification says</source>
+        <translation>1 code avec &lt; mais sans ^ est sous un autre de sa colonne, à la ligne %1&#xa0;: il suit la colonne précédente, comme le dit la spécification</translation>
+    </message>
+    <message>
+        <source>%1 codes with &lt; but no ^ stand below others of their column, the first in line %2: they follow the vertex above them, as OpenAlea reads</source>
+        <translation>%1 codes avec &lt; mais sans ^ sont sous d’autres de leur colonne, le premier à la ligne %2&#xa0;: ils suivent le sommet au-dessus d’eux, comme lit OpenAlea</translation>
+    </message>
+    <message>
+        <source>%1 codes with &lt; but no ^ stand below others of their column, the first in line %2: they follow the column before, as the specification says</source>
+        <translation>%1 codes avec &lt; mais sans ^ sont sous d’autres de leur colonne, le premier à la ligne %2&#xa0;: ils suivent la colonne précédente, comme le dit la spécification</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>est vide</translation>
+    </message>
+    <message>
+        <source>the vertex %1 of scale %2 is attached to %3, but what it is a part of is not attached there: no MTG text can say that; join both to one unit, or let the unit begin there</source>
+        <translation>le sommet %1 d’échelle %2 est attaché à %3, mais ce dont il fait partie n’y est pas attaché&#xa0;: aucun texte MTG ne peut le dire&#xa0;; joignez les deux en une unité, ou faites-y commencer l’unité</translation>
+    </message>
+    <message>
+        <source>the units of the plant are attached to each other in a ring: no MTG text can say that</source>
+        <translation>les unités de la plante sont attachées les unes aux autres en anneau&#xa0;: aucun texte MTG ne peut le dire</translation>
+    </message>
+    <message>
+        <source>the code FORM-B is older than the syntax of MTG files, which does not say how to read it: code the plant in FORM-A</source>
+        <translation>le code FORM-B est plus ancien que la syntaxe des fichiers MTG, qui ne dit pas comment le lire&#xa0;: codez la plante en FORM-A</translation>
+    </message>
+    <message>
+        <source>only MTG files of code FORM-A can be read, this one is of code %1</source>
+        <translation>seuls les fichiers MTG de code FORM-A peuvent être lus, celui-ci est de code %1</translation>
+    </message>
+    <message>
+        <source>expected a symbol and its scale, found %1</source>
+        <translation>un symbole et son échelle sont attendus, trouvé %1</translation>
+    </message>
+    <message>
+        <source>expected the scale of %1, a number from 0 to %2, found %3</source>
+        <translation>l’échelle de %1 est attendue, un nombre de 0 à %2, trouvé %3</translation>
+    </message>
+    <message>
+        <source>the symbol %1 is too long</source>
+        <translation>le symbole %1 est trop long</translation>
+    </message>
+    <message>
+        <source>the feature %1 has no type and is taken as ALPHA</source>
+        <translation>l’attribut %1 n’a pas de type et est lu comme ALPHA</translation>
+    </message>
+    <message>
+        <source>the feature %1 is listed twice</source>
+        <translation>l’attribut %1 figure deux fois dans la liste</translation>
+    </message>
+    <message>
+        <source>the section %1 stands before &apos;CODE : FORM-A&apos;: put that line at the top</source>
+        <translation>la section %1 est avant «&#xa0;CODE : FORM-A&#xa0;»&#xa0;: mettez cette ligne en tête</translation>
+    </message>
+    <message>
+        <source>expected &apos;CODE: FORM-A&apos;, found %1: is this an MTG file?</source>
+        <translation>«&#xa0;CODE: FORM-A&#xa0;» est attendu, trouvé %1&#xa0;: est-ce un fichier MTG&#xa0;?</translation>
+    </message>
+    <message>
+        <source>the class %1 is listed twice: the first line of it counts</source>
+        <translation>la classe %1 figure deux fois dans la liste&#xa0;: sa première ligne compte</translation>
+    </message>
+    <message>
+        <source>the line &apos;MTG :&apos; is missing before that of the columns</source>
+        <translation>la ligne «&#xa0;MTG :&#xa0;» manque avant celle des colonnes</translation>
+    </message>
+    <message>
+        <source>no CLASSES are listed before the vertices</source>
+        <translation>aucune classe (CLASSES) n’est indiquée avant les sommets</translation>
+    </message>
+    <message>
+        <source>has no section &apos;MTG:&apos;: it is no MTG file, or is cut short</source>
+        <translation>n’a pas de section «&#xa0;MTG:&#xa0;»&#xa0;: ce n’est pas un fichier MTG, ou il est tronqué</translation>
+    </message>
+    <message>
+        <source>1 vertex has no position and is put evenly between neighbors</source>
+        <translation>1 sommet n’a pas de position et est placé régulièrement entre ses voisins</translation>
+    </message>
+    <message>
+        <source>%1 vertices have no position and are put evenly between neighbors</source>
+        <translation>%1 sommets n’ont pas de position et sont placés régulièrement entre leurs voisins</translation>
+    </message>
+    <message>
+        <source>1 vertex has no position and is passed over</source>
+        <translation>1 sommet n’a pas de position et est ignoré</translation>
+    </message>
+    <message>
+        <source>%1 vertices have no position and are passed over</source>
+        <translation>%1 sommets n’ont pas de position et sont ignorés</translation>
+    </message>
+    <message>
+        <source>1 radius is negative and is taken as not known</source>
+        <translation>1 rayon est négatif et est considéré comme inconnu</translation>
+    </message>
+    <message>
+        <source>%1 radii are negative and are taken as not known</source>
+        <translation>%1 rayons sont négatifs et sont considérés comme inconnus</translation>
+    </message>
+    <message>
+        <source>its vertices are of more than %1 scales: check the section CLASSES</source>
+        <translation>ses sommets sont de plus de %1 échelles&#xa0;: vérifiez la section CLASSES</translation>
+    </message>
+    <message>
+        <source>none of its vertices has a position, in features XX, YY and ZZ: it describes a plant without its shape, which can be shown, reported (info) and written as MTG or OPF</source>
+        <translation>aucun de ses sommets n’a de position, dans les attributs XX, YY et ZZ&#xa0;: il décrit une plante sans sa forme, qui peut être montrée, décrite (info) et écrite en MTG ou OPF</translation>
+    </message>
+    <message>
+        <source>is no UTF-8 and is read as Latin-1</source>
+        <translation>n’est pas en UTF-8 et est lu comme Latin-1</translation>
+    </message>
+    <message>
+        <source>1 line begins with # and holds a code: it is passed over whole</source>
+        <translation>1 ligne commence par # et contient un code&#xa0;: elle est ignorée en entier</translation>
+    </message>
+    <message>
+        <source>%1 lines begin with # and hold codes: they are passed over whole</source>
+        <translation>%1 lignes commencent par # et contiennent des codes&#xa0;: elles sont ignorées en entier</translation>
+    </message>
+    <message>
+        <source>a comment (# is not closed with #); it is taken to end at the next tab or line end</source>
+        <translation>un commentaire (# n’est pas fermé par #)&#xa0;; il est considéré comme fini à la prochaine tabulation ou fin de ligne</translation>
+    </message>
+    <message>
+        <source>expected /, &lt; or + and a label, as in &apos;^&lt;U2&apos;</source>
+        <translation>/, &lt; ou + et une étiquette sont attendus, comme dans «&#xa0;^&lt;U2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>nothing stands above the *</source>
+        <translation>il n’y a rien au-dessus du *</translation>
+    </message>
+    <message>
+        <source>the alias %1 is given again: from here on it means this vertex</source>
+        <translation>l’alias %1 est donné à nouveau&#xa0;: à partir d’ici il désigne ce sommet</translation>
+    </message>
+    <message>
+        <source>this is attached to column %1, where nothing stands before it: move it to the left</source>
+        <translation>ceci est attaché à la colonne %1, où rien ne le précède&#xa0;: déplacez-le à gauche</translation>
+    </message>
+    <message>
+        <source>expected /, &lt; or + before %1</source>
+        <translation>/, &lt; ou + est attendu avant %1</translation>
+    </message>
+    <message>
+        <source>the name in %1 is not closed with )</source>
+        <translation>le nom dans %1 n’est pas fermé par )</translation>
+    </message>
+    <message>
+        <source>no vertex before is named %1 in the column Alias</source>
+        <translation>aucun sommet précédent ne s’appelle %1 dans la colonne Alias</translation>
+    </message>
+    <message>
+        <source>%1 may stand only at the beginning of a code</source>
+        <translation>%1 ne peut figurer qu’au début d’un code</translation>
+    </message>
+    <message>
+        <source>the range to %1 does not count up from a vertex of its class: taken as a single edge</source>
+        <translation>la plage jusqu’à %1 ne part pas d’un sommet de sa classe d’indice plus petit&#xa0;: elle est lue comme une seule arête</translation>
+    </message>
+    <message>
+        <source>the ranges up to %1 stand for more than %2 vertices: correct the index</source>
+        <translation>les plages jusqu’à %1 représentent plus de %2 sommets&#xa0;: corrigez l’indice</translation>
+    </message>
+    <message>
+        <source>%1 begins with no symbol of the section CLASSES (%2): type one of these, and behind it its index, as in U1 or S16.1</source>
+        <translation>%1 ne commence par aucun symbole de la section CLASSES (%2)&#xa0;: saisissez l’un d’eux, suivi de son indice, comme dans U1 ou S16.1</translation>
+    </message>
+    <message>
+        <source>the index in %1 has a dot without a number on both sides: type it as in U16 or U16.1</source>
+        <translation>l’indice dans %1 a un point sans nombre de chaque côté&#xa0;: saisissez-le comme dans U16 ou U16.1</translation>
+    </message>
+    <message>
+        <source>the index in %1 is too large</source>
+        <translation>l’indice dans %1 est trop grand</translation>
+    </message>
+    <message>
+        <source>%1 is of no class, and follows nothing</source>
+        <translation>%1 n’est d’aucune classe, et ne suit rien</translation>
+    </message>
+    <message>
+        <source>the class %1 is not declared and is taken to be of scale %2</source>
+        <translation>la classe %1 n’est pas déclarée et est supposée d’échelle %2</translation>
+    </message>
+    <message>
+        <source>there are too many scales</source>
+        <translation>il y a trop d’échelles</translation>
+    </message>
+    <message>
+        <source>%1 is of scale %2, and nothing stands before it that it could be attached to</source>
+        <translation>%1 est d’échelle %2, et rien de ce qui le précède ne peut le porter</translation>
+    </message>
+    <message>
+        <source>no vertex of its scale stands before %1: it is taken as the first part of its unit (/)</source>
+        <translation>aucun sommet de son échelle ne précède %1&#xa0;: il est lu comme la première partie de son unité (/)</translation>
+    </message>
+    <message>
+        <source>the value of %1 %2 cannot stand in an MTG text: take out tabs, line ends, comment signs (# or ;) and blanks around it</source>
+        <translation>pour %1, la valeur %2 ne peut pas figurer dans un texte MTG&#xa0;: retirez les tabulations, les fins de ligne, les signes de commentaire (# ou&#xa0;;) et les espaces qui l’entourent</translation>
+    </message>
+    <message>
+        <source>the feature %1 cannot stand in an MTG text: take out tabs, line ends, comment signs (# or ;) and blanks around it</source>
+        <translation>l’attribut %1 ne peut pas figurer dans un texte MTG&#xa0;: retirez les tabulations, les fins de ligne, les signes de commentaire (# ou&#xa0;;) et les espaces qui l’entourent</translation>
+    </message>
+    <message>
+        <source>the alias %1 cannot stand in an MTG text: take out tabs, line ends, comment signs (# or ;) and blanks around it</source>
+        <translation>l’alias %1 ne peut pas figurer dans un texte MTG&#xa0;: retirez les tabulations, les fins de ligne, les signes de commentaire (# ou&#xa0;;) et les espaces qui l’entourent</translation>
+    </message>
+    <message>
+        <source>the class %1 cannot stand in an MTG text: take out tabs, line ends, comment signs (# or ;) and blanks around it</source>
+        <translation>la classe %1 ne peut pas figurer dans un texte MTG&#xa0;: retirez les tabulations, les fins de ligne, les signes de commentaire (# ou&#xa0;;) et les espaces qui l’entourent</translation>
+    </message>
+    <message>
+        <source>the vertex %1 is of scale %2, but no class of this symbol and scale is listed: rename its class</source>
+        <translation>le sommet %1 est d’échelle %2, mais aucune classe de ce symbole et de cette échelle n’est déclarée&#xa0;: renommez sa classe</translation>
+    </message>
+    <message>
+        <source>more vertices would be read from MTG text than the plant has: give each class a symbol that is not the beginning of another one</source>
+        <translation>plus de sommets seraient lus du texte MTG que la plante n’en a&#xa0;: donnez à chaque classe un symbole qui n’est pas le début d’un autre</translation>
+    </message>
+    <message>
+        <source>the vertex %1 would be read from MTG text as another: give its class a symbol that is not the beginning of another one</source>
+        <translation>le sommet %1 serait lu du texte MTG comme un autre&#xa0;: donnez à sa classe un symbole qui n’est pas le début d’un autre</translation>
+    </message>
+    <message>
+        <source>has no positions: it is a plant without its shape</source>
+        <translation>n’a pas de positions&#xa0;: c’est une plante sans sa forme</translation>
+    </message>
+    <message>
+        <source>a plant needs at least 2 points: check the scan</source>
+        <translation>une plante demande au moins 2 points&#xa0;: vérifiez le scan</translation>
+    </message>
+    <message>
+        <source>all points of the scan are at the same place: check the scan</source>
+        <translation>tous les points du scan sont au même endroit&#xa0;: vérifiez le scan</translation>
+    </message>
+    <message>
+        <source>no stem is found from %1 to %2 above the ground: choose other heights by plant.slab_from and plant.slab_to, or say where plants stand</source>
+        <translation>aucune tige n’est trouvée de %1 à %2 au-dessus du sol&#xa0;: choisissez d’autres hauteurs par plant.slab_from et plant.slab_to, ou indiquez où sont les plantes</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no axis that points up</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un axe qui pointe vers le haut</translation>
+    </message>
+    <message>
+        <source>the root of the plant is no place</source>
+        <translation>la racine de la plante n’est pas un endroit</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no option of a project</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une option d’un projet</translation>
+    </message>
+    <message>
+        <source>fewer than 2 points are left after cleaning: clean less, choose method none, or bring points back</source>
+        <translation>moins de 2 points restent après le nettoyage&#xa0;: nettoyez moins, choisissez la méthode none, ou reprenez des points</translation>
+    </message>
+    <message>
+        <source>%1 is %2: choose a whole number from %3 to %4</source>
+        <translation>%1 vaut %2&#xa0;: choisissez un nombre entier de %3 à %4</translation>
+    </message>
+    <message>
+        <source>%1 is %2: choose a value from %3 to %4 (the points are %5 apart)</source>
+        <translation>%1 vaut %2&#xa0;: choisissez une valeur de %3 à %4 (les points sont espacés de %5)</translation>
+    </message>
+    <message>
+        <source>%1 is %2: choose a value from %3 to %4</source>
+        <translation>%1 vaut %2&#xa0;: choisissez une valeur de %3 à %4</translation>
+    </message>
+    <message>
+        <source>%1 takes no %2: choose one of %3</source>
+        <translation>%1 n’accepte pas %2&#xa0;: choisissez parmi %3</translation>
+    </message>
+    <message>
+        <source>%1 must be a number, or a length as &apos;6 spacings&apos;, &apos;0.01 heights&apos; or &apos;38 mm&apos;, not %2: write %1=%3, or %1=%3sp for spacings of the points</source>
+        <translation>%1 doit être un nombre, ou une longueur comme &apos;6 spacings&apos;, &apos;0.01 heights&apos; ou &apos;38 mm&apos;, et non %2&#xa0;: écrivez %1=%3, ou %1=%3sp pour des espacements des points</translation>
+    </message>
+    <message>
+        <source>%1 must be a number, not %2: write %1=%3</source>
+        <translation>%1 doit être un nombre, et non %2&#xa0;: écrivez %1=%3</translation>
+    </message>
+    <message>
+        <source>%1=%2: the unit of the scan is not known: say it first (--unit, or Unit in the window), or write %1=%3 for a scan in mm, %1=%4 for one in m</source>
+        <translation>%1=%2&#xa0;: l’unité du scan n’est pas connue&#xa0;: indiquez-la d’abord (--unit, ou Unité dans la fenêtre), ou écrivez %1=%3 pour un scan en mm, %1=%4 pour un scan en m</translation>
+    </message>
+    <message>
+        <source>%1 takes no &quot;%2&quot;: choose one of %3</source>
+        <translation>%1 n’accepte pas «&#xa0;%2&#xa0;»&#xa0;: choisissez parmi %3</translation>
+    </message>
+    <message>
+        <source>method %1 of step %2 has no option &quot;%3&quot;: it has none</source>
+        <translation>la méthode %1 de l’étape %2 n’a pas d’option «&#xa0;%3&#xa0;»&#xa0;: elle n’en a aucune</translation>
+    </message>
+    <message>
+        <source>method %1 of step %2 has no option &quot;%3&quot;: choose one of %4</source>
+        <translation>la méthode %1 de l’étape %2 n’a pas d’option «&#xa0;%3&#xa0;»&#xa0;: choisissez parmi %4</translation>
+    </message>
+    <message>
+        <source>the root lies %1 away from the scan: give a place in its coordinates</source>
+        <translation>la racine est à %1 du scan&#xa0;: donnez un endroit dans ses coordonnées</translation>
+    </message>
+    <message>
+        <source>the root lies %1 away from the points that are not set aside: give a place near them</source>
+        <translation>la racine est à %1 des points qui ne sont pas mis de côté&#xa0;: donnez un endroit près d’eux</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must hold an object of options</source>
+        <translation>«&#xa0;%1&#xa0;» doit contenir un objet d’options</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a number</source>
+        <translation>«&#xa0;%1&#xa0;» doit être un nombre</translation>
+    </message>
+    <message>
+        <source>a preset is a JSON object of steps, such as {&quot;contract&quot;: {&quot;radius&quot;: 12.5}}</source>
+        <translation>un fichier de réglages est un objet JSON d’étapes, comme {&quot;contract&quot;: {&quot;radius&quot;: 12.5}}</translation>
+    </message>
+    <message>
+        <source>is no text in UTF-8, but perhaps in UTF-16: save it as UTF-8</source>
+        <translation>n’est pas un texte en UTF-8, mais peut-être en UTF-16&#xa0;: enregistrez-le en UTF-8</translation>
+    </message>
+    <message>
+        <source>a preset is a JSON object of steps, such as {&quot;contract&quot;: {&quot;radius&quot;: 12.5}}; the JSON breaks off here</source>
+        <translation>un fichier de réglages est un objet JSON d’étapes, comme {&quot;contract&quot;: {&quot;radius&quot;: 12.5}}&#xa0;; le JSON s’interrompt ici</translation>
+    </message>
+    <message>
+        <source>a number is too large: write one below 1e12, as no length is larger</source>
+        <translation>un nombre est trop grand&#xa0;: écrivez-en un inférieur à 1e12, car aucune longueur n’est plus grande</translation>
+    </message>
+    <message>
+        <source>there is no step &quot;%1&quot;: choose one of %2</source>
+        <translation>il n’y a pas d’étape «&#xa0;%1&#xa0;»&#xa0;: choisissez parmi %2</translation>
+    </message>
+    <message>
+        <source>there is no method &quot;%1&quot; for step %2: choose one of %3</source>
+        <translation>il n’y a pas de méthode «&#xa0;%1&#xa0;» pour l’étape %2&#xa0;: choisissez parmi %3</translation>
+    </message>
+    <message>
+        <source>no points around node %1 are left by the rest of the plant: choose another node</source>
+        <translation>le reste de la plante ne laisse aucun point autour du nœud %1&#xa0;: choisissez un autre nœud</translation>
+    </message>
+    <message>
+        <source>nothing grows from node %1: choose another node, or prune less in the pipeline</source>
+        <translation>rien ne pousse à partir du nœud %1&#xa0;: choisissez un autre nœud, ou élaguez moins dans la chaîne de traitement</translation>
+    </message>
+    <message>
+        <source>what node %1 carries follows the points better than what would grow: it stays as it is</source>
+        <translation>ce que porte le nœud %1 suit mieux les points que ce qui pousserait&#xa0;: cela reste tel quel</translation>
+    </message>
+    <message>
+        <source>step %1, method %2: node %3 gets a position or radius that is not finite: choose another method, and check the scan for many points at one place</source>
+        <translation>étape %1, méthode %2&#xa0;: le nœud %3 reçoit une position ou un rayon qui n’est pas fini&#xa0;: choisissez une autre méthode, et vérifiez si le scan a beaucoup de points au même endroit</translation>
+    </message>
+    <message>
+        <source>all points that are left after cleaning are at the same place: clean less</source>
+        <translation>tous les points qui restent après le nettoyage sont au même endroit&#xa0;: nettoyez moins</translation>
+    </message>
+    <message>
+        <source>breaks off while it is read: try a copy of it</source>
+        <translation>s’interrompt pendant la lecture&#xa0;: essayez une copie</translation>
+    </message>
+    <message>
+        <source>the disk is full: free some room, or save elsewhere (%1)</source>
+        <translation>le disque est plein&#xa0;: libérez de la place, ou enregistrez ailleurs (%1)</translation>
+    </message>
+    <message>
+        <source>it may only be read: allow writing to it and its folder, or save elsewhere (%1)</source>
+        <translation>il est en lecture seule&#xa0;: autorisez l’écriture du fichier et de son dossier, ou enregistrez ailleurs (%1)</translation>
+    </message>
+    <message>
+        <source>it cannot be opened: check that its folder exists and may be written to (%1)</source>
+        <translation>il ne peut pas être ouvert&#xa0;: vérifiez que son dossier existe et qu’on peut y écrire (%1)</translation>
+    </message>
+    <message>
+        <source>another program is writing to it: close that, or save elsewhere (%1)</source>
+        <translation>un autre programme est en train d’y écrire&#xa0;: fermez-le, ou enregistrez ailleurs (%1)</translation>
+    </message>
+    <message>
+        <source>the disk does not do what it is asked: check it, or save elsewhere (%1)</source>
+        <translation>le disque ne fait pas ce qui lui est demandé&#xa0;: vérifiez-le, ou enregistrez ailleurs (%1)</translation>
+    </message>
+    <message>
+        <source>something in it is too big to be kept (%1)</source>
+        <translation>quelque chose y est trop grand pour être gardé (%1)</translation>
+    </message>
+    <message>
+        <source>there is not enough memory: close other programs (%1)</source>
+        <translation>il n’y a pas assez de mémoire&#xa0;: fermez d’autres programmes (%1)</translation>
+    </message>
+    <message>
+        <source>this should not happen: save elsewhere, and report it (%1)</source>
+        <translation>cela ne devrait pas arriver&#xa0;: enregistrez ailleurs, et signalez-le (%1)</translation>
+    </message>
+    <message>
+        <source>is no project of Espalier: choose another file</source>
+        <translation>n’est pas un projet d’Espalier&#xa0;: choisissez un autre fichier</translation>
+    </message>
+    <message>
+        <source>is damaged (%1): take a copy of it if you have one</source>
+        <translation>est abîmé (%1)&#xa0;: prenez une copie si vous en avez une</translation>
+    </message>
+    <message>
+        <source>node %1 has a position or radius that is not finite or too large, which a project cannot keep: undo what made it</source>
+        <translation>le nœud&#xa0;%1 a une position ou un rayon qui n’est pas fini ou est trop grand, ce qu’un projet ne peut pas garder&#xa0;: annulez ce qui l’a produit</translation>
+    </message>
+    <message>
+        <source>node %1 has a number too large for a project: start a new project with the plant</source>
+        <translation>le nœud&#xa0;%1 a un numéro trop grand pour un projet&#xa0;: commencez un nouveau projet avec la plante</translation>
+    </message>
+    <message>
+        <source>stored points end too early: open the scan again</source>
+        <translation>les points enregistrés s’arrêtent trop tôt&#xa0;: ouvrez le scan à nouveau</translation>
+    </message>
+    <message>
+        <source>stored points have too many stations: open the scan again</source>
+        <translation>les points enregistrés ont trop de stations&#xa0;: ouvrez le scan à nouveau</translation>
+    </message>
+    <message>
+        <source>stored points are followed by more: open the scan again</source>
+        <translation>les points enregistrés sont suivis d’autre chose&#xa0;: ouvrez le scan à nouveau</translation>
+    </message>
+    <message>
+        <source>stored points are not all finite: make them again</source>
+        <translation>les points enregistrés ne sont pas tous finis&#xa0;: calculez-les à nouveau</translation>
+    </message>
+    <message>
+        <source>may only be read: open it to read only, or open a copy</source>
+        <translation>est protégé en écriture&#xa0;: ouvrez-le en lecture seule, ou ouvrez une copie</translation>
+    </message>
+    <message>
+        <source>its &quot;%1&quot; are damaged: make them again</source>
+        <translation>ses données «&#xa0;%1&#xa0;» sont abîmées&#xa0;: calculez-les à nouveau</translation>
+    </message>
+    <message>
+        <source>is open to read only: save it elsewhere to edit it</source>
+        <translation>est ouvert en lecture seule&#xa0;: enregistrez-le ailleurs pour le modifier</translation>
+    </message>
+    <message>
+        <source>was removed while it was open: save it elsewhere</source>
+        <translation>a été supprimé pendant qu’il était ouvert&#xa0;: enregistrez-le ailleurs</translation>
+    </message>
+    <message>
+        <source>was replaced by another program: save it elsewhere</source>
+        <translation>a été remplacé par un autre programme&#xa0;: enregistrez-le ailleurs</translation>
+    </message>
+    <message>
+        <source>was made read-only while it was open: allow writing to it, or save elsewhere</source>
+        <translation>a été protégé en écriture pendant qu’il était ouvert&#xa0;: autorisez son écriture, ou enregistrez ailleurs</translation>
+    </message>
+    <message>
+        <source>numbers its nodes up to %1, too far for the %2 bytes that its plant and edits take: open a copy, or the plant as it was exported</source>
+        <translation>numérote ses nœuds jusqu’à %1, trop loin pour les %2 octets que prennent sa plante et ses modifications&#xa0;: ouvrez une copie, ou la plante telle qu’elle a été exportée</translation>
+    </message>
+    <message>
+        <source>numbers its nodes up to %1, too far for the %2 bytes that its plant and edits take: save the plant as an MTG, and begin a new project with that, which numbers its nodes anew</source>
+        <translation>numérote ses nœuds jusqu’à %1, trop loin pour les %2 octets que prennent sa plante et ses modifications&#xa0;: enregistrez la plante en MTG, et commencez avec lui un nouveau projet, qui renumérote ses nœuds</translation>
+    </message>
+    <message>
+        <source>is damaged: the plant is as it was after %1 of %2 edits, which is all that can be read: save it elsewhere</source>
+        <translation>est abîmé&#xa0;: la plante est telle qu’elle était après %1 modifications sur %2, c’est tout ce qui peut être lu&#xa0;: enregistrez-le ailleurs</translation>
+    </message>
+    <message>
+        <source>is damaged: nothing of its plant can be read; take a copy if you have one</source>
+        <translation>est abîmé&#xa0;: rien de sa plante ne peut être lu&#xa0;; prenez une copie si vous en avez une</translation>
+    </message>
+    <message>
+        <source>its version %1 is damaged: the others can be read</source>
+        <translation>sa version %1 est abîmée&#xa0;: les autres peuvent être lues</translation>
+    </message>
+    <message>
+        <source>some of its versions are damaged: the others can be read</source>
+        <translation>certaines de ses versions sont abîmées&#xa0;: les autres peuvent être lues</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1; open the project to read only</source>
+        <translation>ne peut pas être écrit&#xa0;: %1&#xa0;; ouvrez le projet en lecture seule</translation>
+    </message>
+    <message>
+        <source>is open in another window: go on there, open it to read only, or open a copy</source>
+        <translation>est ouvert dans une autre fenêtre&#xa0;: continuez dans celle-ci, ouvrez-le en lecture seule, ou ouvrez une copie</translation>
+    </message>
+    <message>
+        <source>is open in another window (%1): go on there, open it to read only, or open a copy</source>
+        <translation>est ouvert dans une autre fenêtre (%1)&#xa0;: continuez dans celle-ci, ouvrez-le en lecture seule, ou ouvrez une copie</translation>
+    </message>
+    <message>
+        <source>was written by a newer Espalier (schema %1, this program knows %2): open it with that one</source>
+        <translation>a été écrit par un Espalier plus récent (schéma %1, ce programme connaît le %2)&#xa0;: ouvrez-le avec celui-là</translation>
+    </message>
+    <message>
+        <source>its tables are not those of a project: choose another file</source>
+        <translation>ses tables ne sont pas celles d’un projet&#xa0;: choisissez un autre fichier</translation>
+    </message>
+    <message>
+        <source>only %1 % of the points are connected to the root: choose another root, or allow wider gaps</source>
+        <translation>seuls %1 % des points sont reliés à la racine&#xa0;: choisissez une autre racine, ou permettez des lacunes plus larges</translation>
+    </message>
+    <message>
+        <source>node %1: its place or radius is beyond 1e12, as of no plant: correct or remove it</source>
+        <translation>nœud %1&#xa0;: sa position ou son rayon dépasse 1e12, ce qu’aucune plante n’atteint&#xa0;: corrigez-le ou retirez-le</translation>
+    </message>
+    <message>
+        <source>a new node: its place or radius is beyond 1e12, as of no plant: correct or remove it</source>
+        <translation>un nouveau nœud&#xa0;: sa position ou son rayon dépasse 1e12, ce qu’aucune plante n’atteint&#xa0;: corrigez-le ou retirez-le</translation>
+    </message>
+    <message>
+        <source>the radius of the ball is 0: give one above it</source>
+        <translation>le rayon de la boule est 0&#xa0;: donnez-en un plus grand</translation>
+    </message>
+    <message>
+        <source>a ball of this radius goes between all points: there is no body; give it a larger radius</source>
+        <translation>une boule de ce rayon passe entre tous les points&#xa0;: il n’y a pas de corps&#xa0;; donnez-lui un rayon plus grand</translation>
+    </message>
+    <message>
+        <source>a position is no number: repair it, or leave it out of the envelope</source>
+        <translation>une position n’est pas un nombre&#xa0;: corrigez-la, ou laissez-la hors de l’enveloppe</translation>
+    </message>
+    <message>
+        <source>there is 1 point: an envelope needs 4 or more that fill space</source>
+        <translation>il y a 1 point&#xa0;: une enveloppe en demande 4 ou plus qui remplissent l’espace</translation>
+    </message>
+    <message>
+        <source>there are %1 points: an envelope needs 4 or more that fill space</source>
+        <translation>il y a %1 points&#xa0;: une enveloppe en demande 4 ou plus qui remplissent l’espace</translation>
+    </message>
+    <message>
+        <source>the points lie in a plane, on a line or at one place: an envelope needs points that fill space</source>
+        <translation>les points sont dans un plan, sur une droite ou au même endroit&#xa0;: une enveloppe demande des points qui remplissent l’espace</translation>
+    </message>
+    <message>
+        <source>no node has a radius: estimate radii first</source>
+        <translation>aucun nœud n’a de rayon&#xa0;: estimez d’abord les rayons</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1: choose another folder</source>
+        <translation>ne peut pas être lu&#xa0;: %1&#xa0;: choisissez un autre dossier</translation>
+    </message>
+    <message>
+        <source>its name is no UTF-8: rename it</source>
+        <translation>son nom n’est pas en UTF-8&#xa0;: renommez-le</translation>
+    </message>
+    <message>
+        <source>holds no project and no scan: choose another folder, or name the files in a table</source>
+        <translation>ne contient ni projet ni scan&#xa0;: choisissez un autre dossier, ou nommez les fichiers dans un tableau</translation>
+    </message>
+    <message>
+        <source>no file is named: write a project or a scan</source>
+        <translation>aucun fichier n’est nommé&#xa0;: écrivez un projet ou un scan</translation>
+    </message>
+    <message>
+        <source>the %1 has over %2 bytes: write a shorter name</source>
+        <translation>le champ %1 dépasse %2 octets&#xa0;: écrivez un nom plus court</translation>
+    </message>
+    <message>
+        <source>there is no file %1: correct its name, or take the line out</source>
+        <translation>il n’y a pas de fichier %1&#xa0;: corrigez son nom, ou retirez la ligne</translation>
+    </message>
+    <message>
+        <source>%1 is neither a project nor a scan: name one of these</source>
+        <translation>%1 n’est ni un projet ni un scan&#xa0;: nommez-en un</translation>
+    </message>
+    <message>
+        <source>%1 came before: take the line out</source>
+        <translation>%1 figure déjà plus haut&#xa0;: retirez la ligne</translation>
+    </message>
+    <message>
+        <source>%1 is no UTF-8: rename the file</source>
+        <translation>%1 n’est pas en UTF-8&#xa0;: renommez le fichier</translation>
+    </message>
+    <message>
+        <source>there is no column file: name the columns in the first line, as file,annotator,second annotator</source>
+        <translation>il n’y a pas de colonne file&#xa0;: nommez les colonnes dans la première ligne, comme file,annotator,second annotator</translation>
+    </message>
+    <message>
+        <source>no plant is listed: write a line for each below the first</source>
+        <translation>aucune plante n’est listée&#xa0;: écrivez une ligne pour chacune sous la première</translation>
+    </message>
+    <message>
+        <source>a line before means this plant, too: take one of the two out</source>
+        <translation>une ligne plus haut désigne aussi cette plante&#xa0;: retirez l’une des deux</translation>
+    </message>
+    <message>
+        <source>is longer than any such text: choose another file</source>
+        <translation>est plus long que tout texte de cette sorte&#xa0;: choisissez un autre fichier</translation>
+    </message>
+    <message>
+        <source>is a device: save it as a file and open that</source>
+        <translation>est un périphérique&#xa0;: enregistrez-le dans un fichier et ouvrez celui-ci</translation>
+    </message>
+    <message>
+        <source>is a pipe that nobody writes to: save it as a file and open that</source>
+        <translation>est un tube dans lequel personne n’écrit&#xa0;: enregistrez-le dans un fichier et ouvrez celui-ci</translation>
+    </message>
+    <message>
+        <source>holds 1 point, none of them finite: export it again</source>
+        <translation>contient 1 point, qui n’est pas fini&#xa0;: exportez-le à nouveau</translation>
     </message>
 </context>
 <context>

@@ -132,7 +132,7 @@ TEST(KilledProgram, LosesNoEditThatItReportedAsSaved) {
     for (int i = 0; i < saved; ++i)
       (void)edits.next();
     const Imported<History> found = Project::open(file, Access::readWrite).history();
-    ASSERT_TRUE(found.notes.empty()) << found.notes[0];
+    ASSERT_TRUE(found.notes.empty()) << inEnglish(found.notes[0]);
     if (found.value != edits.history()) { // one more was saved, and not reported any more
       (void)edits.next();
       ++keptUnreported;
@@ -157,7 +157,7 @@ TEST(KilledProgram, HasAScanThatGrewWithItsStepOrNeither) {
                                             std::chrono::microseconds(random.below(6000))));
     const Project project = Project::open(file, Access::readWrite);
     const Imported<History> found = project.history();
-    ASSERT_TRUE(found.notes.empty()) << found.notes[0];
+    ASSERT_TRUE(found.notes.empty()) << inEnglish(found.notes[0]);
     const std::size_t steps = found.value.steps.size();
     ASSERT_GE(steps, joined) << "round " << round;
     joined = steps; // one more was saved, and not reported any more
@@ -213,7 +213,7 @@ TEST(KilledProgram, UpgradesAProjectOfVersion01WholeOrNotAtAll) {
     whole += (isUpgraded ? -whole : whole) / 20; // it takes as long as the machine lets it
     const Project project = Project::open(file, Access::readWrite);
     const Imported<History> found = project.history();
-    ASSERT_TRUE(found.notes.empty()) << found.notes[0];
+    ASSERT_TRUE(found.notes.empty()) << inEnglish(found.notes[0]);
     ASSERT_EQ(found.value, truth) << "round " << round;
     EXPECT_EQ(project.document("contracted_by"), "21");
     EXPECT_EQ(project.document("made_with").substr(0, 3), "21 ");
@@ -234,7 +234,7 @@ TEST(KilledProgram, LosesNoVersionThatItReportedAsSaved) {
                                  std::chrono::microseconds(random.below(6000)));
     savedInAll += static_cast<std::size_t>(saved);
     const auto read = Project::open(file, Access::readOnly).versions();
-    ASSERT_TRUE(read.notes.empty()) << read.notes[0];
+    ASSERT_TRUE(read.notes.empty()) << inEnglish(read.notes[0]);
     ASSERT_TRUE(read.value.size() == savedInAll || read.value.size() == savedInAll + 1);
     savedInAll = read.value.size(); // one more was saved, and not reported any more
     for (std::size_t i = 0; i < savedInAll; ++i)

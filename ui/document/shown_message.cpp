@@ -2,16 +2,35 @@
 
 #include "ui/document/shown_text.h"
 
+#include <QCoreApplication>
+#include <QStringList>
+
 namespace espalier {
+namespace {
+
+struct PlaceText {
+  Q_DECLARE_TR_FUNCTIONS(FilePlace)
+};
+
+/// "oak.mtg, line 12, column 3"
+QString placeText(const FilePlace& place) {
+  QStringList parts = {QString::fromStdString(place.file)};
+  if (place.line) parts.append(PlaceText::tr("line %1").arg(*place.line));
+  if (place.column) parts.append(PlaceText::tr("column %1").arg(*place.column));
+  if (place.byte) parts.append(PlaceText::tr("byte %1").arg(*place.byte));
+  return parts.join(QStringLiteral(", "));
+}
+
+} // namespace
 
 QString shownText(const ShownMessage& message) {
   const std::string sentence = shownText(message.sentence).toStdString();
-  return QString::fromStdString(inEnglish(ShownMessage{sentence, message.values}));
+  const QString text = QString::fromStdString(inEnglish(ShownMessage{sentence, message.values}));
+  return message.where ? PlaceText::tr("%1: %2").arg(placeText(*message.where), text) : text;
 }
 
 QString shownText(const std::exception& error) {
-  const auto* shown = dynamic_cast<const ShownError*>(&error);
-  return shown != nullptr ? shownText(shown->message()) : QString::fromUtf8(error.what());
+  return shownText(messageOf(error));
 }
 
 } // namespace espalier

@@ -4,6 +4,7 @@
 #include "ui/document/hand_work_text.h"
 #include "ui/document/length_unit.h"
 #include "ui/document/seal_text.h"
+#include "ui/document/shown_message.h"
 
 #include <QCoreApplication>
 #include <QFont>
@@ -36,6 +37,17 @@ QString cellOf(const std::string& text) {
   constexpr qsizetype most = 200; // letters, of at most four bytes each
   const QString line = QString::fromStdString(printable(text.substr(0, 4 * most)));
   return line.size() > most ? line.left(most) + QStringLiteral("…") : line;
+}
+
+/// What is wrong with a file, in a row that says which file: without its path.
+QString problemText(const ShownMessage& problem, const std::filesystem::path& file) {
+  QString text = cellOf(shownText(problem).toStdString());
+  const QString path = textOfPath(file);
+  if (path.isEmpty() || !text.startsWith(path)) return text; // it begins with another name
+  const auto isBetween = [](QChar sign) { return sign.isSpace() || sign == ':'; };
+  text.erase(text.cbegin(), std::find_if_not(text.cbegin() + path.size(), text.cend(), isBetween));
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
 }
 
 /// The last `count` folders of a path.
@@ -97,7 +109,7 @@ QString none() {
 
 QChar stageOf(const WorklistRow& row) {
   const QString letters = WorklistModel::stages();
-  if (!row.problem.empty()) return letters[4];
+  if (row.problem) return letters[4];
   return row.isRead ? letters[static_cast<int>(row.stage())] : letters[5];
 }
 
@@ -129,7 +141,7 @@ QVariant alignmentOf(int column) {
 QString wholeText(const ListedPlant& plant) {
   const WorklistRow& row = plant.row;
   QStringList lines = {QString::fromStdString(printable(row.file().string()))};
-  if (!row.problem.empty()) lines.append(stateText(row));
+  if (row.problem) lines.append(stateText(row));
   if (row.state && row.state->seal)
     lines.append((plant.isFinished() ? WorklistText::tr("Signed by %1")
                                      : WorklistText::tr("Edited since it was signed by %1"))
@@ -149,13 +161,7 @@ QString wholeText(const ListedPlant& plant) {
 } // namespace
 
 QString stateText(const WorklistRow& row) {
-  if (!row.problem.empty()) {
-    const std::string path = row.file().string() + ": ";            // the row says which file
-    if (!row.problem.starts_with(path)) return cellOf(row.problem); // it begins with another name
-    QString text = cellOf(row.problem.substr(path.size()));
-    if (!text.isEmpty()) text[0] = text[0].toUpper();
-    return text;
-  }
+  if (row.problem) return problemText(*row.problem, row.file());
   if (!row.isRead) return WorklistText::tr("Reading…");
   switch (row.stage()) {
   case WorkStage::toDo:

@@ -30,7 +30,7 @@ QString countsOf(const std::vector<ListedPlant>& plants) {
   };
   const auto inStage = [&](WorkStage stage) {
     return count([stage](const ListedPlant& plant) {
-      return plant.row.isRead && plant.row.problem.empty() && plant.row.stage() == stage;
+      return plant.row.isRead && !plant.row.problem && plant.row.stage() == stage;
     });
   };
   QStringList parts;
@@ -41,7 +41,7 @@ QString countsOf(const std::vector<ListedPlant>& plants) {
   add(inStage(WorkStage::automatic), WorklistPanel::tr("%1 automatic"));
   add(inStage(WorkStage::inReview), WorklistPanel::tr("%1 in review"));
   add(inStage(WorkStage::finished), WorklistPanel::tr("%1 signed"));
-  add(count([](const ListedPlant& plant) { return !plant.row.problem.empty(); }),
+  add(count([](const ListedPlant& plant) { return plant.row.problem.has_value(); }),
       WorklistPanel::tr("%1 with a problem"));
   add(count([](const ListedPlant& plant) { return !plant.row.isRead; }),
       WorklistPanel::tr("%1 being read"));
@@ -175,7 +175,7 @@ std::vector<WorklistRow> WorklistPanel::following(const QString& file) const {
   }
   std::vector<WorklistRow> rows;
   for (const ListedPlant* plant : plants) {
-    const bool isToSign = plant->row.isRead && plant->row.problem.empty() && !plant->isFinished() &&
+    const bool isToSign = plant->row.isRead && !plant->row.problem && !plant->isFinished() &&
                           !plant->file().isEmpty();
     if (isToSign) rows.push_back(plant->row);
   }
@@ -184,7 +184,7 @@ std::vector<WorklistRow> WorklistPanel::following(const QString& file) const {
 
 bool WorklistPanel::isReading() const {
   return std::ranges::any_of(model_->plants(), [](const ListedPlant& plant) {
-    return !plant.row.isRead && plant.row.problem.empty();
+    return !plant.row.isRead && !plant.row.problem;
   });
 }
 

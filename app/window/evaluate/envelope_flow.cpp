@@ -10,6 +10,7 @@
 #include "core/io/structures/surface_files.h"
 #include "ui/document/number_scale.h"
 #include "ui/document/plant_document.h"
+#include "ui/document/shown_message.h"
 #include "ui/document/shown_text.h"
 #include "ui/panels/trait_text.h"
 #include "ui/view/plant_view.h"
@@ -235,7 +236,7 @@ void EnvelopeFlow::takeStep() {
   try {
     showText(parts_.document.envelope());
   } catch (const Error& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(shownText(error));
   }
 }
 

@@ -11,6 +11,7 @@
 #include "core/io/formats.h"
 #include "core/project/project.h"
 #include "ui/document/plant_document.h"
+#include "ui/document/shown_message.h"
 #include "ui/jobs/job_slot.h"
 #include "ui/view/plant_view.h"
 
@@ -139,8 +140,8 @@ void ReferenceFlow::load(const QString& path) {
         auto& [read, isOfScan] = done;
         set({.skeleton = std::move(read.value), .path = path, .isOfScan = isOfScan});
         QStringList notes = {tr("%1 is the reference now").arg(name())};
-        for (const std::string& note : firstNotes(read.notes))
-          notes.append(QString::fromStdString(note));
+        for (const ShownMessage& note : firstNotes(read.notes))
+          notes.append(shownText(note));
         emit noted(notes.join(QStringLiteral("; ")));
         emit outdated(); // of one refused
         emit loaded();

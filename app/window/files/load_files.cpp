@@ -4,6 +4,7 @@
 #include "core/base/listed.h"
 #include "core/io/formats.h"
 #include "core/io/glance.h"
+#include "ui/document/shown_message.h"
 
 #include <QCoreApplication>
 #include <QSettings>
@@ -17,9 +18,9 @@ Error twoOfAKind(const QString& path, const char* message) {
   return Error(QCoreApplication::translate("LoadFiles", message).arg(path).toStdString());
 }
 
-void addNotes(LoadedFiles& loaded, const std::vector<std::string>& notes) {
-  for (const std::string& note : firstNotes(notes))
-    loaded.notes.append(QString::fromStdString(note));
+void addNotes(LoadedFiles& loaded, const std::vector<ShownMessage>& notes) {
+  for (const ShownMessage& note : firstNotes(notes))
+    loaded.notes.append(shownText(note));
 }
 
 /// A file that says nothing before it is read whole is read whole.

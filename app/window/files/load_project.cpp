@@ -90,8 +90,8 @@ LoadedProject loadProject(const QString& path, Access access, const Progress& pr
   loaded.project = std::make_unique<Project>(Project::open(toPath(path), access));
   Imported<History> history = loaded.project->history();
   loaded.isDamaged = !history.notes.empty();
-  for (const std::string& note : history.notes)
-    loaded.notes.append(QString::fromStdString(note));
+  for (const ShownMessage& note : history.notes)
+    loaded.notes.append(shownText(note));
   loaded.history = std::move(history.value);
   tryTo(loaded, [&] { loaded.frame = frameOf(*loaded.project); });
   tryTo(loaded, [&] {
@@ -101,8 +101,8 @@ LoadedProject loadProject(const QString& path, Access access, const Progress& pr
   tryTo(loaded, [&] {
     Imported<std::vector<PlantVersion>> versions = loaded.project->versions();
     loaded.versions = std::move(versions.value);
-    for (const std::string& note : versions.notes)
-      loaded.notes.append(QString::fromStdString(note));
+    for (const ShownMessage& note : versions.notes)
+      loaded.notes.append(shownText(note));
   });
   tryTo(loaded, [&] { addScan(loaded, progress.part(0.1, 1)); });
   return loaded;

@@ -37,7 +37,8 @@ void ThemeFlow::start() {
 
 bool ThemeFlow::eventFilter(QObject* watched, QEvent* event) {
   // Of the system: a palette that this program sets makes no such event.
-  if (event->type() == QEvent::ThemeChange && chosenTheme(parts_.settings) == Theme::system) use(Theme::system);
+  if (event->type() == QEvent::ThemeChange && chosenTheme(parts_.settings) == Theme::system)
+    use(Theme::system);
   return QObject::eventFilter(watched, event);
 }
 

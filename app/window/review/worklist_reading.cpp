@@ -101,7 +101,7 @@ ReadPlant readProjectOf(const fs::path& project, const FileStamp& stamp,
     plant.picture = pictureOf(work.skeleton, pictureSize);
     pictures.keep(project, stamp, plant.picture);
   } catch (const std::exception& error) {
-    plant.work.problem = shownText(error).toStdString();
+    plant.work.problem = messageOf(error);
   }
   return plant;
 }
@@ -114,7 +114,7 @@ ReadPlant readScanOf(const fs::path& scan, const FileStamp& stamp, const Picture
     plant.picture = pictureOf(glance.sample, upOfGlance(glance), pictureSize);
     pictures.keep(scan, stamp, plant.picture);
   } catch (const std::exception& error) {
-    plant.work.problem = shownText(error).toStdString();
+    plant.work.problem = messageOf(error);
   }
   return plant;
 }
@@ -123,7 +123,7 @@ KnownWork readHashOf(const fs::path& scan, const Progress& progress) {
   try {
     return {.hash = contentHashOfFile(scan, progress)};
   } catch (const std::exception& error) {
-    return {.problem = shownText(error).toStdString()};
+    return {.problem = messageOf(error)};
   }
 }
 

@@ -95,8 +95,8 @@ void addStretches(Differences& found, const Skeleton& skeleton,
 
 Differences differences(const Skeleton& result, const Skeleton& reference, double tolerance,
                         const Progress& progress) {
-  requireComparable(result, "the plant");
-  requireComparable(reference, "the reference");
+  requireComparable(result, ComparedAs::plant);
+  requireComparable(reference, ComparedAs::reference);
   Differences found{.tolerance = tolerance};
   found.ofResult =
       kindsOf(nearEdges(result, reference, tolerance, progress.part(0, 0.4)), Difference::invented);

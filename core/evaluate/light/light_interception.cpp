@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/shown_message.h"
 #include "core/evaluate/light/sky.h"
 
 #include <Eigen/Core>
@@ -20,13 +21,14 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 /// The corners from their middle.
-/// @throws Error if one is no number
+/// @throws ShownError if one is no number
 std::vector<Vector3d> centeredCorners(const SurfaceMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Vector3d& corner : mesh.corners) {
     box.extend(corner);
     if (!corner.allFinite())
-      throw Error("the surface has a corner that is no number: correct the radii and positions");
+      throw ShownError({espalier::Shown::tr(
+          "the surface has a corner that is no number: correct the radii and positions")});
   }
   std::vector<Vector3d> corners = mesh.corners;
   for (Vector3d& corner : corners)
@@ -115,7 +117,8 @@ LightInterception lightInterception(const SurfaceMesh& mesh, const LightOptions&
   if (options.pixels < 8 || options.pixels > 16384)
     throw Error(std::to_string(options.pixels) + " pixels: choose from 8 to 16384");
   LightInterception light{.area = area(mesh)};
-  if (!(light.area > 0)) throw Error("the surface has no area: estimate radii first");
+  if (!(light.area > 0))
+    throw ShownError({espalier::Shown::tr("the surface has no area: estimate radii first")});
   const std::vector<Vector3d> corners = centeredCorners(mesh);
   const std::vector<SkyDirection>& sky = overcastSky();
   for (const int part : {8, 4, 2, 1})

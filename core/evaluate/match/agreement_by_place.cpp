@@ -66,8 +66,8 @@ std::vector<PartAgreement> agreement(const Shares& result, double resultLength,
 
 AgreementByPlace agreementByPlace(const Skeleton& result, const Skeleton& reference,
                                   double distance, double step, const Progress& progress) {
-  requireComparable(result, "the plant");
-  requireComparable(reference, "the reference");
+  requireComparable(result, ComparedAs::plant);
+  requireComparable(reference, ComparedAs::reference);
   const PlaceSide found = sideOf(result, reference, step, progress.part(0, 0.5));
   const PlaceSide truth = sideOf(reference, result, step, progress.part(0.5, 1));
   AgreementByPlace agreed{.distance = distance, .byOrder = {}, .byHeight = {}};

@@ -108,8 +108,8 @@ ArchitectureAgreement architectureAgreement(const Skeleton& result, const Skelet
                                             const AuthorsComparison& matches, double distance,
                                             double step, const Progress& progress) {
   assert(distance > 0 && step > 0);
-  requireComparable(result, "the plant");
-  requireComparable(reference, "the reference");
+  requireComparable(result, ComparedAs::plant);
+  requireComparable(reference, ComparedAs::reference);
   const std::vector<EvenSample> samples = evenSamples(reference, step);
   const auto all = static_cast<double>(samples.size());
   const std::vector<Found> found = foundWithin(result, samples, distance, progress);

@@ -145,8 +145,8 @@ void noteIndices(AuthorsComparison& comparison) {
 
 AuthorsComparison authorsComparison(const Skeleton& result, const Skeleton& reference,
                                     const AuthorsOptions& options, const Progress& progress) {
-  requireComparable(result, "the plant");
-  requireComparable(reference, "the reference");
+  requireComparable(result, ComparedAs::plant);
+  requireComparable(reference, ComparedAs::reference);
   AuthorsComparison comparison;
   comparison.resultSegments = unbranchedSegments(result);
   comparison.referenceSegments = unbranchedSegments(reference);

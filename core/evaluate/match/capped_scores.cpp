@@ -1,7 +1,7 @@
 #include "core/evaluate/match/capped_scores.h"
 
-#include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/shown_message.h"
 #include "core/evaluate/match/assignment.h"
 #include "core/evaluate/match/comparable.h"
 #include "core/evaluate/match/polyline_distance.h"
@@ -86,7 +86,8 @@ std::vector<double> checked(const std::vector<double>& distances, const Skeleton
   if (distances.empty()) return defaultTolerances(reference);
   for (const double distance : distances)
     if (!(distance > 0 && std::isfinite(distance)))
-      throw Error("distance " + std::to_string(distance) + ": expected a length above 0");
+      throw ShownError(
+          {Shown::tr("distance %1: expected a length above 0"), {std::to_string(distance)}});
   return distances;
 }
 
@@ -94,8 +95,8 @@ std::vector<double> checked(const std::vector<double>& distances, const Skeleton
 
 std::vector<CappedScore> cappedScores(const Skeleton& result, const Skeleton& reference,
                                       const CappedOptions& options, const Progress& progress) {
-  requireComparable(result, "the plant");
-  requireComparable(reference, "the reference");
+  requireComparable(result, ComparedAs::plant);
+  requireComparable(reference, ComparedAs::reference);
   const std::vector<double> distances = checked(options.distances, reference);
   const double step = options.step > 0 ? options.step : std::ranges::min(distances);
   const CappedSide found = sideOf(result, step);

@@ -1,6 +1,6 @@
 #include "core/evaluate/match/comparable.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 
 #include <algorithm>
 #include <string>
@@ -18,18 +18,46 @@ std::vector<double> edgeLengths(const Skeleton& skeleton) {
   return lengths;
 }
 
-} // namespace
+/// What may be missing.
+struct RefusalTexts {
+  const char* noNodes;
+  const char* noPlace; // of node %1
+  const char* noLength;
+};
 
-void requireComparable(const Skeleton& skeleton, std::string_view role) {
-  const std::string name(role);
-  if (skeleton.isEmpty()) throw Error(name + " has no nodes: choose a structure with positions");
+constexpr RefusalTexts textsOfPlant{
+    Shown::tr("the plant has no nodes: choose a structure with positions"),
+    Shown::tr("the plant, node %1: its position is not a number: correct or delete the node"),
+    Shown::tr("the plant has no length: its nodes are not linked or all lie at one place; choose "
+              "another structure")};
+constexpr RefusalTexts textsOfReference{
+    Shown::tr("the reference has no nodes: choose a structure with positions"),
+    Shown::tr("the reference, node %1: its position is not a number: correct or delete the node"),
+    Shown::tr("the reference has no length: its nodes are not linked or all lie at one place; "
+              "choose another structure")};
+constexpr RefusalTexts textsOfNamed{
+    Shown::tr("%2 has no nodes: choose a structure with positions"),
+    Shown::tr("%2, node %1: its position is not a number: correct or delete the node"),
+    Shown::tr("%2 has no length: its nodes are not linked or all lie at one place; choose another "
+              "structure")};
+
+void requireComparable(const Skeleton& skeleton, const RefusalTexts& texts,
+                       const std::string& name) {
+  if (skeleton.isEmpty()) throw ShownError({texts.noNodes, {"", name}});
   for (const NodeId id : skeleton.ids())
     if (!skeleton[id].position.allFinite())
-      throw Error(name + ", " + nameOf(id) +
-                  ": its position is not a number: correct or delete the node");
-  if (totalLength(skeleton) == 0)
-    throw Error(name + " has no length: its nodes are not linked or all lie at one place; choose "
-                       "another structure");
+      throw ShownError({texts.noPlace, {std::to_string(indexOf(id)), name}});
+  if (totalLength(skeleton) == 0) throw ShownError({texts.noLength, {"", name}});
+}
+
+} // namespace
+
+void requireComparable(const Skeleton& skeleton, ComparedAs as) {
+  requireComparable(skeleton, as == ComparedAs::plant ? textsOfPlant : textsOfReference, "");
+}
+
+void requireComparable(const Skeleton& skeleton, const std::string& name) {
+  requireComparable(skeleton, textsOfNamed, name);
 }
 
 double totalLength(const Skeleton& skeleton) {

@@ -2,15 +2,20 @@
 
 #include "core/skeleton/skeleton.h"
 
-#include <string_view>
+#include <cstdint>
+#include <string>
 
 namespace espalier {
 
+/// Which of the two that are compared a message is about.
+enum class ComparedAs : std::uint8_t { plant, reference };
+
 /// Checks that a skeleton can be compared: it has nodes, finite positions, and some length.
 ///
-/// @param role what the user calls it in a message: "the plant", "the reference"
-/// @throws Error that names what is missing, and the node where there is one
-void requireComparable(const Skeleton& skeleton, std::string_view role);
+/// @param name  of its file or version
+/// @throws ShownError that names what is missing, and the node where there is one
+void requireComparable(const Skeleton& skeleton, ComparedAs as);
+void requireComparable(const Skeleton& skeleton, const std::string& name);
 
 [[nodiscard]] double totalLength(const Skeleton& skeleton); // of all edges [L]
 

@@ -179,8 +179,8 @@ private:
 
 EditComparison editComparison(const Skeleton& result, const Skeleton& reference,
                               const EditOptions& options, const Progress& progress) {
-  requireComparable(result, "the plant");
-  requireComparable(reference, "the reference");
+  requireComparable(result, ComparedAs::plant);
+  requireComparable(reference, ComparedAs::reference);
   const Parts first = partsOf(result, options.unit);
   const Parts second = partsOf(reference, options.unit);
   const Costs costs(first, second, options);

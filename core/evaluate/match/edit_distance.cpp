@@ -1,6 +1,6 @@
 #include "core/evaluate/match/edit_distance.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/evaluate/match/assignment.h"
 
 #include <algorithm>
@@ -270,9 +270,9 @@ private:
 EditDistance editDistance(const ParentList& first, const ParentList& second, const EditCosts& costs,
                           const Progress& progress) {
   if (!second.empty() && first.size() + 1 > mostEditPairs / (second.size() + 1))
-    throw Error("the edit distance of " + std::to_string(first.size()) + " and " +
-                std::to_string(second.size()) +
-                " parts takes too much memory: compare a coarser scale");
+    throw ShownError({espalier::Shown::tr("the edit distance of %1 and %2 parts takes too much "
+                                          "memory: compare a coarser scale"),
+                      {std::to_string(first.size()), std::to_string(second.size())}});
   return Search(first, second, costs).run(progress);
 }
 

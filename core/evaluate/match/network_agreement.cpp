@@ -49,8 +49,8 @@ double shareLacking(const Connections& of, const Connections& in) {
 NetworkAgreement networkAgreement(const Skeleton& result, const Skeleton& reference,
                                   const NetworkOptions& options, const Progress& progress) {
   assert(options.deviation > 0 && options.distance > 0 && options.step > 0);
-  requireComparable(result, "the plant");
-  requireComparable(reference, "the reference");
+  requireComparable(result, ComparedAs::plant);
+  requireComparable(reference, ComparedAs::reference);
   const std::vector<Landmark> found = landmarksOf(result);
   const std::vector<Landmark> truth = landmarksOf(reference);
   const Partners partners = partnersOf(found, truth, options.distance);

@@ -86,8 +86,8 @@ PathLengthAgreement pathLengthAgreement(const Skeleton& result, const Skeleton& 
                                         const PathLengthOptions& options,
                                         const Progress& progress) {
   assert(options.distance > 0 && options.step > 0);
-  requireComparable(result, "the plant");
-  requireComparable(reference, "the reference");
+  requireComparable(result, ComparedAs::plant);
+  requireComparable(reference, ComparedAs::reference);
   const PathsAlong found(result);
   const PathsAlong truth(reference);
   const EdgeIndex index(result);

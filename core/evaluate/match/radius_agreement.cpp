@@ -101,8 +101,8 @@ RadiusAgreement radiusAgreement(const Skeleton& result, const Skeleton& referenc
                                 const Progress& progress) {
   assert(distance > 0 && step > 0);
   assert(coverages.empty() || coverages.size() == reference.idEnd());
-  requireComparable(result, "the plant");
-  requireComparable(reference, "the reference");
+  requireComparable(result, ComparedAs::plant);
+  requireComparable(reference, ComparedAs::reference);
   const std::vector<EvenSample> samples = evenSamples(result, step);
   const std::vector<RadiusPair> pairs = radiusPairs(result, reference, samples, distance, progress);
   RadiusAgreement agreement{.distance = distance};

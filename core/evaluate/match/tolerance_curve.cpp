@@ -1,7 +1,7 @@
 #include "core/evaluate/match/tolerance_curve.h"
 
-#include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/shown_message.h"
 #include "core/evaluate/match/comparable.h"
 
 #include <algorithm>
@@ -57,7 +57,7 @@ double harmonicMean(double precision, double recall) {
 }
 
 std::vector<double> defaultTolerances(const Skeleton& reference) {
-  requireComparable(reference, "the reference");
+  requireComparable(reference, ComparedAs::reference);
   const double unit = rounded(medianEdgeLength(reference) / 9);
   return {unit, 2 * unit, 4 * unit, 10 * unit};
 }
@@ -81,11 +81,12 @@ std::vector<double> distancesTo(const EdgeIndex& index, const std::vector<EvenSa
 
 ToleranceCurve toleranceCurve(const Skeleton& result, const Skeleton& reference,
                               const ToleranceOptions& options, const Progress& progress) {
-  requireComparable(result, "the plant");
+  requireComparable(result, ComparedAs::plant);
   const std::vector<double> rule = defaultTolerances(reference);
   for (const double distance : options.distances)
     if (!(distance >= 0 && std::isfinite(distance)))
-      throw Error("tolerance " + std::to_string(distance) + ": expected a length of 0 or more");
+      throw ShownError(
+          {Shown::tr("tolerance %1: expected a length of 0 or more"), {std::to_string(distance)}});
   ToleranceCurve curve;
   curve.step = options.step > 0 ? options.step : rule.front();
   const auto there = sortedDistances(result, reference, curve.step, progress.part(0, 0.5));

@@ -109,8 +109,8 @@ Eigen::Vector3d Registration::axis() const {
 
 Registration registration(const Skeleton& result, const Skeleton& reference,
                           const RegistrationOptions& options, const Progress& progress) {
-  requireComparable(result, "the plant");
-  requireComparable(reference, "the reference");
+  requireComparable(result, ComparedAs::plant);
+  requireComparable(reference, ComparedAs::reference);
   const Both both(result, reference);
   const RigidFit before = fitAt(Eigen::Isometry3d::Identity(), both.many, progress);
   const RigidFit after = options.motion

@@ -79,7 +79,7 @@ NoisePoint pointOf(double level, std::span<const PlantScores> runs) {
 NoiseStudy noiseStudy(const Skeleton& reference, const NoiseOptions& options,
                       const Progress& progress) {
   assert(options.repeats >= 1);
-  requireComparable(reference, "the reference");
+  requireComparable(reference, ComparedAs::reference);
   NoiseStudy study{.repeats = options.repeats,
                    .seed = options.seed,
                    .isRegistered = options.registers,

@@ -223,7 +223,7 @@ void requireLevel(Perturbation kind, double level) {
 }
 
 Skeleton perturbed(const Skeleton& skeleton, Perturbation kind, double level, std::uint64_t seed) {
-  requireComparable(skeleton, "the reference");
+  requireComparable(skeleton, ComparedAs::reference);
   requireLevel(kind, level);
   if (level == 0) return skeleton;
   Random random(seed);

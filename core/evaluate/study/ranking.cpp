@@ -92,7 +92,7 @@ double shareAbove(const std::vector<double>& first, const std::vector<double>& s
 Ranking ranking(const std::vector<Skeleton>& results, const Skeleton& reference,
                 const RankingOptions& options, const Progress& progress) {
   assert(options.draws >= 1 && scoreOf(options.by).ofShares != nullptr);
-  requireComparable(reference, "the reference");
+  requireComparable(reference, ComparedAs::reference);
   for (std::size_t i = 0; i < results.size(); ++i)
     requireComparable(results[i], "result " + std::to_string(i + 1));
   Ranking found{.by = options.by,

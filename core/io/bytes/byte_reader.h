@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/shown_message.h"
 #include "core/io/bytes/scalar.h"
 
 #include <bit>
@@ -38,9 +39,9 @@ public:
   /// @throws Error if there is no such byte
   std::string_view takeUntil(char end);
 
-  /// @throws Error always: "oak.bgeom, byte 120: what"
-  [[noreturn]] void fail(std::string_view what) const { failAt(offset_, what); }
-  [[noreturn]] void failAt(std::size_t offset, std::string_view what) const;
+  /// @throws ShownError always: "oak.bgeom, byte 120: what"
+  [[noreturn]] void fail(ShownMessage what) const { failAt(offset_, std::move(what)); }
+  [[noreturn]] void failAt(std::size_t offset, ShownMessage what) const;
 
 private:
   [[noreturn]] void failOfEnd(std::uint64_t size) const;

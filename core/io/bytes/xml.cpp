@@ -1,6 +1,5 @@
 #include "core/io/bytes/xml.h"
 
-#include "core/base/error.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -46,31 +45,35 @@ XmlFile::XmlFile(std::string bytes, std::string file, std::string_view root)
   const pugi::xml_parse_result result = document_.load_buffer(
       bytes_.data(), bytes_.size(), pugi::parse_default | pugi::parse_doctype);
   if (!result)
-    throw Error(whereByte(result.offset) + "the XML is broken here (" + result.description() +
-                "): copy or export the file again");
+    throw ShownError(
+        {espalier::Shown::tr("the XML is broken here (%1): copy or export the file again"),
+         {result.description()},
+         whereByte(result.offset)});
   refuseEntities();
   refuseDeepNesting();
   if (this->root().name() != root)
-    throw Error(where(this->root()) + "expected an element " + inQuotes(root) + ", found " +
-                inQuotes(this->root().name()));
+    throw ShownError({espalier::Shown::tr("expected an element %1, found %2"),
+                      {inQuotes(root), inQuotes(this->root().name())},
+                      where(this->root())});
 }
 
-std::string XmlFile::where(pugi::xml_node node) const {
+FilePlace XmlFile::where(pugi::xml_node node) const {
   return whereByte(node.offset_debug());
 }
 
-std::string XmlFile::whereByte(std::ptrdiff_t byte) const {
+FilePlace XmlFile::whereByte(std::ptrdiff_t byte) const {
   const bool isUtf16 = bytes_.find('\0') != std::string::npos; // bytes are counted in UTF-8
-  if (byte < 0 || isUtf16) return file_ + ": ";
+  if (byte < 0 || isUtf16) return {file_};
   const auto end = bytes_.begin() + std::min(byte, std::ssize(bytes_));
-  return place(file_, 1 + static_cast<std::size_t>(std::count(bytes_.begin(), end, '\n')));
+  return {file_, 1 + static_cast<std::size_t>(std::count(bytes_.begin(), end, '\n'))};
 }
 
 double XmlFile::numberIn(pugi::xml_node node, std::string_view text, std::string_view what) const {
   const auto number = espalier::numberIn(trimmed(text));
   if (!number || !std::isfinite(*number))
-    throw Error(where(node) + "expected a number as " + std::string(what) + ", found " +
-                inQuotes(text));
+    throw ShownError({espalier::Shown::tr("expected a number as %1, found %2"),
+                      {std::string(what), inQuotes(text)},
+                      where(node)});
   return *number;
 }
 
@@ -78,8 +81,11 @@ void XmlFile::refuseEntities() const {
   for (const pugi::xml_node node : document_.children())
     if (node.type() == pugi::node_doctype &&
         std::string_view(node.value()).find("<!ENTITY") != std::string_view::npos)
-      throw Error(where(node) + "the document defines entities, which are not read: export it "
-                                "without them");
+      throw ShownError(
+          {espalier::Shown::tr("the document defines entities, which are not read: export it "
+                               "without them"),
+           {},
+           where(node)});
 }
 
 void XmlFile::refuseDeepNesting() const {
@@ -88,8 +94,10 @@ void XmlFile::refuseDeepNesting() const {
     if (node.first_child()) {
       node = node.first_child();
       if (++depth > deepest)
-        throw Error(where(node) + "its elements are nested over " + std::to_string(deepest) +
-                    " deep, as in no plant");
+        throw ShownError(
+            {espalier::Shown::tr("its elements are nested over %1 deep, as in no plant"),
+             {std::to_string(deepest)},
+             where(node)});
       continue;
     }
     while (node && !node.next_sibling()) {

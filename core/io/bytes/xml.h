@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/shown_message.h"
+
 #include <iosfwd>
 #include <pugixml.hpp>
 #include <string>
@@ -23,8 +25,8 @@ public:
   [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
   [[nodiscard]] const std::string& file() const { return file_; }
 
-  /// "oak.opf, line 12: ", for the start of a message. Time O(size of the file).
-  [[nodiscard]] std::string where(pugi::xml_node node) const;
+  /// The line, for messages. Time O(size of the file).
+  [[nodiscard]] FilePlace where(pugi::xml_node node) const;
 
   /// The finite number that `text` is.
   /// @param what  for the message: "x"
@@ -33,7 +35,7 @@ public:
                                 std::string_view what) const;
 
 private:
-  [[nodiscard]] std::string whereByte(std::ptrdiff_t byte) const;
+  [[nodiscard]] FilePlace whereByte(std::ptrdiff_t byte) const;
   void refuseEntities() const;
   void refuseDeepNesting() const;
 

@@ -45,8 +45,11 @@ private:
   void addPart(SceneObject& object, int depth) { object.parts.push_back(readObject(depth + 1)); }
 
   [[noreturn]] void failOfDepth() const {
-    in_.fail("objects are nested deeper than " + std::to_string(PointScene::deepest) +
-             ": the file is damaged");
+    in_.fail({espalier::Shown::tr("objects are nested deeper than %1: the file is damaged"),
+              {std::to_string(PointScene::deepest)}});
+  }
+  [[nodiscard]] std::string versionText() const {
+    return std::to_string(version_ / 10) + "." + std::to_string(version_ % 10);
   }
   double real() { return isDouble_ ? in_.value<double>() : in_.value<float>(); }
   [[nodiscard]] std::uint64_t realSize() const { return isDouble_ ? 8 : 4; }
@@ -70,23 +73,28 @@ private:
 
 void BgeomReader::readHeader() {
   if (in_.left() < magic.size() || in_.take(magic.size()) != magic)
-    in_.failAt(0, "is no binary scene of PlantGL, it does not begin with !bGEOM");
+    in_.failAt(
+        0, {espalier::Shown::tr("is no binary scene of PlantGL, it does not begin with !bGEOM")});
   const auto version = in_.value<float>();
   if (!(version >= 0.5F && version < 100))
-    in_.fail("is no version of PlantGL's scenes: the file is damaged");
+    in_.fail({espalier::Shown::tr("is no version of PlantGL's scenes: the file is damaged")});
   version_ = static_cast<int>(std::lround(version * 10));
   if (version_ > newestVersion)
-    in_.fail("is version " + std::to_string(version_ / 10) + "." + std::to_string(version_ % 10) +
-             " of PlantGL's scenes, and up to 2.5 can be read: export the points as PLY");
+    in_.fail({espalier::Shown::tr("is version %1 of PlantGL's scenes, and up to 2.5 can be read: "
+                                  "export the points as PLY"),
+              {versionText()}});
   if (version_ >= 11 && in_.take(2) != "\r\n")
-    in_.fail("its line end was changed, as a transfer as text does: copy the file again as binary");
+    in_.fail({espalier::Shown::tr(
+        "its line end was changed, as a transfer as text does: copy the file again as binary")});
   if (version_ >= 16) {
     const auto bits = in_.value<std::uint8_t>();
     if (bits != 32 && bits != 64)
-      in_.fail("has reals of " + std::to_string(bits) + " bits, expected 32 or 64");
+      in_.fail(
+          {espalier::Shown::tr("has reals of %1 bits, expected 32 or 64"), {std::to_string(bits)}});
     isDouble_ = bits == 64;
   }
-  if (in_.take(1) != "#") in_.fail("expected a comment behind #: the file is damaged");
+  if (in_.take(1) != "#")
+    in_.fail({espalier::Shown::tr("expected a comment behind #: the file is damaged")});
   (void)in_.takeUntil('#');
 }
 
@@ -97,13 +105,15 @@ void BgeomReader::readTypes() {
   types_[20] = "Group";
   types_[25] = "PointSet";
   types_[32] = "Translated";
-  if (in_.take(1) != "!") in_.fail("expected the table of types behind !: the file is damaged");
+  if (in_.take(1) != "!")
+    in_.fail({espalier::Shown::tr("expected the table of types behind !: the file is damaged")});
   for (auto left = in_.value<std::uint32_t>(); left > 0; --left) {
     const auto code = in_.value<std::uint8_t>();
     types_[code] = text();
     (void)in_.value<std::uint32_t>(); // how many there are
   }
-  if (in_.take(1) != "!") in_.fail("expected the scene behind !: the file is damaged");
+  if (in_.take(1) != "!")
+    in_.fail({espalier::Shown::tr("expected the scene behind !: the file is damaged")});
 }
 
 std::uint32_t BgeomReader::readObject(int depth) {
@@ -112,7 +122,8 @@ std::uint32_t BgeomReader::readObject(int depth) {
     progress_.update(static_cast<double>(in_.offset()) / static_cast<double>(size_));
   const std::size_t start = in_.offset();
   const std::string& type = types_[in_.value<std::uint8_t>()];
-  if (type.empty()) in_.failAt(start, "an object is of no type known: the file is damaged");
+  if (type.empty())
+    in_.failAt(start, {espalier::Shown::tr("an object is of no type known: the file is damaged")});
   if (type == "Shape") return readShape(depth);
   if (type == "Reference") return readReference();
   const std::string name = text();
@@ -149,7 +160,8 @@ std::uint32_t BgeomReader::readReference() {
   const std::size_t start = in_.offset();
   const auto found = shared_.find(in_.value<std::uint32_t>());
   if (found == shared_.end())
-    in_.failAt(start, "refers to an object that does not come before: the file is damaged");
+    in_.failAt(start, {espalier::Shown::tr(
+                          "refers to an object that does not come before: the file is damaged")});
   return found->second;
 }
 
@@ -232,9 +244,9 @@ SceneObject BgeomReader::readGroup(int depth) {
 SceneObject BgeomReader::skip(const std::string& type, int depth) {
   const auto layout = bgeomLayoutOf(type, version_);
   if (!layout)
-    in_.fail("has an object " + inQuotes(type) + " whose size is not known in version " +
-             std::to_string(version_ / 10) + "." + std::to_string(version_ % 10) +
-             ": export the points alone, or as PLY");
+    in_.fail({espalier::Shown::tr("has an object %1 whose size is not known in version %2: export "
+                                  "the points alone, or as PLY"),
+              {inQuotes(type), versionText()}});
   if (layout->isShape) scene_.skipped.insert(type);
   unsigned mask = 0;
   if (layout->maskBytes == 1) mask = in_.value<std::uint8_t>();
@@ -298,7 +310,8 @@ void BgeomReader::skipField(char type, SceneObject& object, int depth) {
     const std::uint64_t height = rows();
     const std::uint64_t count = height * rows(); // below 2^64
     const std::uint64_t size = type == 'm' ? realSize() : 4 * realSize();
-    if (count > in_.left() / size) in_.fail("ends within a matrix: the file is cut short");
+    if (count > in_.left() / size)
+      in_.fail({espalier::Shown::tr("ends within a matrix: the file is cut short")});
     return (void)in_.take(count * size);
   }
   case 'O':

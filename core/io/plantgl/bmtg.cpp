@@ -1,7 +1,5 @@
 #include "core/io/plantgl/bmtg.h"
 
-#include "core/base/counted.h"
-#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/io/plantgl/mtg_tables.h"
 #include "core/io/plantgl/mtg_vertices.h"
@@ -53,14 +51,24 @@ public:
     for (const MtgProperty& property : properties)
       if (property.name != "position" && property.name != "radius") add(property);
     if (leftOut_ > 0)
-      note(counted(leftOut_, "value is", "values are") +
-           " not finite, or of a kind that an MTG cannot hold: left out");
+      note({leftOut_ == 1
+                ? espalier::Shown::tr(
+                      "1 value is not finite, or of a kind that an MTG cannot hold: left out")
+                : espalier::Shown::tr(
+                      "%1 values are not finite, or of a kind that an MTG cannot hold: left out"),
+            {std::to_string(leftOut_)}});
     if (strays_ > 0)
-      note(counted(strays_, "value is", "values are") + " of vertices that were erased: left out");
+      note({strays_ == 1
+                ? espalier::Shown::tr("1 value is of vertices that were erased: left out")
+                : espalier::Shown::tr("%1 values are of vertices that were erased: left out"),
+            {std::to_string(strays_)}});
   }
 
 private:
-  void note(const std::string& what) { vertices_.notes.push_back(file_ + ": " + what); }
+  void note(ShownMessage what) {
+    what.where = FilePlace{file_};
+    vertices_.notes.push_back(std::move(what));
+  }
 
   void add(const MtgProperty& property) {
     std::map<VertexId, PickleId> values;
@@ -103,8 +111,9 @@ private:
                         name.find(' ') == std::string::npos;
     if (!isName || std::ranges::any_of(names, isTaken) ||
         features.size() + names.size() > mostFeatures) {
-      note("property " + inQuotes(name) +
-           " is left out: its name cannot be that of a feature, or " + "is taken");
+      note({espalier::Shown::tr(
+                "property %1 is left out: its name cannot be that of a feature, or is taken"),
+            {inQuotes(name)}});
       return false;
     }
     for (const std::string& one : names)
@@ -143,8 +152,11 @@ private:
     std::vector<std::string>& values = vertices_.mtg.vertices[indexOf(vertex)].values;
     const std::size_t slots = feature + 1 > values.size() ? feature + 1 - values.size() : 0;
     if (slots > slotsLeft_ || text.size() > textLeft_)
-      throw Error(file_ + ": its values would take far more memory than the file itself: save it "
-                          "as .mtg with the program that wrote it");
+      throw ShownError(
+          {espalier::Shown::tr("its values would take far more memory than the file itself: save "
+                               "it as .mtg with the program that wrote it"),
+           {},
+           FilePlace{file_}});
     slotsLeft_ -= slots;
     textLeft_ -= text.size();
     if (slots > 0) values.resize(feature + 1);
@@ -192,10 +204,12 @@ Imported<Mtg> readBmtg(std::istream& in, const std::string& file) {
   TableVertices vertices = verticesOf(pickle, tables, file);
   Features(pickle, bytes.size(), vertices, file).add(tables.properties);
   if (const std::size_t count = zeroLengthEdges(vertices.mtg); count > 0)
-    vertices.notes.push_back(file + ": " +
-                             counted(count, "vertex lies where its parent lies, and is",
-                                     "vertices lie where their parents lie, and are") +
-                             " kept so");
+    vertices.notes.push_back(
+        {count == 1
+             ? espalier::Shown::tr("1 vertex lies where its parent lies, and is kept so")
+             : espalier::Shown::tr("%1 vertices lie where their parents lie, and are kept so"),
+         {std::to_string(count)},
+         FilePlace{file}});
   return {std::move(vertices.mtg), std::move(vertices.notes)};
 }
 

@@ -69,7 +69,8 @@ private:
   /// The next field of an object; none at its end.
   std::optional<std::string_view> nextField() {
     if (in_.takeIf('}')) return std::nullopt;
-    return in_.takeWord("a field or }");
+    return in_.takeWord(
+        espalier::Shown::tr("expected a field or }, found %1: export the points as PLY or .bgeom"));
   }
   void updateProgress() const {
     progress_.update(static_cast<double>(in_.offset()) / static_cast<double>(size_));
@@ -102,9 +103,10 @@ void GeomReader::readCommand() {
   const GeomToken command = in_.next();
   const std::string name = lowerCase(command.text);
   if (name != "echo" && name != "list" && name != "quit")
-    in_.failAt(command.line, "':" + std::string(command.text) +
-                                 "' is not read: open the scene in PlantGL and save it as one "
-                                 "file, or export the points as PLY");
+    in_.failAt(command.line,
+               {espalier::Shown::tr("':%1' is not read: open the scene in PlantGL and save it as "
+                                    "one file, or export the points as PLY"),
+                {std::string(command.text)}});
   in_.skipLine();
 }
 
@@ -112,13 +114,15 @@ std::uint32_t GeomReader::readObject(int depth) {
   const std::size_t line = in_.next().line;
   const auto checkDepth = [&](int levels) {
     if (levels > PointScene::deepest)
-      in_.failAt(line, "objects are nested deeper than " + std::to_string(PointScene::deepest) +
-                           ": export the points as PLY");
+      in_.failAt(
+          line, {espalier::Shown::tr("objects are nested deeper than %1: export the points as PLY"),
+                 {std::to_string(PointScene::deepest)}});
   };
   checkDepth(depth);
   if (scene_.objects.size() % 1024 == 0) updateProgress();
   if (!isGeometry(in_.next().text) && !isAppearance(in_.next().text))
-    in_.failOfNext("an object, as PointSet { }");
+    in_.failOfNext(espalier::Shown::tr(
+        "expected an object, as PointSet { }, found %1: export the points as PLY or .bgeom"));
   const std::string_view type = in_.take().text;
   const std::string_view name = in_.next().isWord() ? in_.take().text : std::string_view();
   in_.require('{');
@@ -215,7 +219,7 @@ SceneObject GeomReader::skipBody(std::string_view type, int depth) {
   std::vector<std::uint32_t> inner;
   ++passedOver_;
   for (int open = 1; open > 0;) {
-    if (in_.isAtEnd()) in_.failOfNext("}");
+    if (in_.isAtEnd()) in_.failOfEnd();
     if (isObjectNext() && isGeometry(in_.next().text)) {
       inner.push_back(readObject(depth + 1));
       continue;
@@ -243,11 +247,14 @@ void GeomReader::readPart(SceneObject& object, int depth) {
     return;
   }
   const std::size_t line = in_.next().line;
-  const std::string_view name = in_.takeWord("an object or its name");
+  const std::string_view name = in_.takeWord(espalier::Shown::tr(
+      "expected an object or its name, found %1: export the points as PLY or .bgeom"));
   const auto found = named_.find(name);
   if (found == named_.end())
-    in_.failAt(line, "refers to " + inQuotes(name) +
-                         ", which does not come before: the file is damaged or not complete");
+    in_.failAt(
+        line, {espalier::Shown::tr(
+                   "refers to %1, which does not come before: the file is damaged or not complete"),
+               {inQuotes(name)}});
   object.parts.push_back(found->second);
   contained_.insert(found->second);
 }
@@ -278,14 +285,15 @@ void GeomReader::skipValue(int depth) {
   } else if (in_.next().isWord() || in_.next().kind == GeomToken::Kind::quoted) {
     (void)in_.take();
   } else {
-    in_.failOfNext("a value");
+    in_.failOfNext(
+        espalier::Shown::tr("expected a value, found %1: export the points as PLY or .bgeom"));
   }
 }
 
 void GeomReader::skipBrackets() {
   std::size_t open = 0;
   do {
-    if (in_.isAtEnd()) in_.failOfNext("]");
+    if (in_.isAtEnd()) in_.failOfEnd();
     const GeomToken token = in_.take();
     if (token.is('<') || token.is('[')) ++open;
     if (token.is('>') || token.is(']')) --open;

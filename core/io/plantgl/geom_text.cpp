@@ -1,6 +1,5 @@
 #include "core/io/plantgl/geom_text.h"
 
-#include "core/base/error.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -55,11 +54,15 @@ bool GeomText::takeIf(char sign) {
 }
 
 void GeomText::require(char sign) {
-  if (!takeIf(sign)) failOfNext(std::string("'") + sign + "'");
+  if (takeIf(sign)) return;
+  if (isAtEnd()) failOfEnd();
+  failAt(next().line,
+         {espalier::Shown::tr("expected '%1', found %2: export the points as PLY or .bgeom"),
+          {std::string(1, sign), inQuotes(next().text)}});
 }
 
-std::string_view GeomText::takeWord(std::string_view what) {
-  if (!next().isWord()) failOfNext(what);
+std::string_view GeomText::takeWord(const char* expected) {
+  if (!next().isWord()) failOfNext(expected);
   return take().text;
 }
 
@@ -69,7 +72,9 @@ double GeomText::takeNumber() {
     if (take().is('-')) sign = -sign;
   if (next().kind == GeomToken::Kind::number) return sign * take().number;
   const auto special = next().isWord() ? numberIn(next().text) : std::nullopt;
-  if (!special) failOfNext("a number");
+  if (!special)
+    failOfNext(
+        espalier::Shown::tr("expected a number, found %1: export the points as PLY or .bgeom"));
   (void)take();
   return sign * *special;
 }
@@ -100,12 +105,14 @@ Color GeomText::takeColor() {
   const auto channel = [&] {
     const double value = takeNumber();
     if (!(value >= 0 && value <= 255))
-      failAt(line, "a part of a color is not between 0 and 255: correct it");
+      failAt(line, {espalier::Shown::tr("a part of a color is not between 0 and 255: correct it")});
     return static_cast<std::uint8_t>(value);
   };
   if (next().isWord()) {
     const auto named = namedColors().find(next().text);
-    if (named == namedColors().end()) failOfNext("a color");
+    if (named == namedColors().end())
+      failOfNext(
+          espalier::Shown::tr("expected a color, found %1: export the points as PLY or .bgeom"));
     (void)take();
     return named->second;
   }
@@ -129,17 +136,19 @@ void GeomText::skipLine() {
     (void)take();
 }
 
-void GeomText::failOfNext(std::string_view expected) const {
-  const GeomToken& found = next();
-  if (isAtEnd())
-    failAt(found.line, "ends where " + std::string(expected) +
-                           " was expected: it is cut short, copy or export it again");
-  failAt(found.line, "expected " + std::string(expected) + ", found " + inQuotes(found.text) +
-                         ": export the points as PLY or .bgeom");
+void GeomText::failOfNext(const char* expected) const {
+  if (isAtEnd()) failOfEnd();
+  failAt(next().line, {expected, {inQuotes(next().text)}});
 }
 
-void GeomText::failAt(std::size_t line, std::string_view what) const {
-  throw Error(place(file_, line) + std::string(what));
+void GeomText::failOfEnd() const {
+  failAt(next().line,
+         {espalier::Shown::tr("ends within an object: it is cut short, copy or export it again")});
+}
+
+void GeomText::failAt(std::size_t line, ShownMessage what) const {
+  what.where = FilePlace{file_, line};
+  throw ShownError(std::move(what));
 }
 
 GeomToken GeomText::scan() {
@@ -172,7 +181,8 @@ GeomToken GeomText::scanNumber() {
 GeomToken GeomText::scanQuoted() {
   const std::size_t end = text_.find_first_of("\"\n", offset_ + 1);
   if (end == std::string_view::npos || text_[end] == '\n')
-    failAt(line_, "a quoted text does not end in its line: the file is damaged");
+    failAt(line_,
+           {espalier::Shown::tr("a quoted text does not end in its line: the file is damaged")});
   const GeomToken token{.kind = GeomToken::Kind::quoted,
                         .text = text_.substr(offset_ + 1, end - offset_ - 1),
                         .line = line_};
@@ -197,7 +207,8 @@ void GeomText::skipBlanks() {
 void GeomText::skipComment() {
   const std::size_t end = text_.find("#)", offset_ + 2);
   if (end == std::string_view::npos)
-    failAt(line_, "a comment that begins with (# has no end #): the file is cut short");
+    failAt(line_, {espalier::Shown::tr(
+                      "a comment that begins with (# has no end #): the file is cut short")});
   line_ += static_cast<std::size_t>(std::ranges::count(text_.substr(offset_, end - offset_), '\n'));
   offset_ = end + 1;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/shown_message.h"
 #include "core/cloud/point_cloud.h"
 
 #include <Eigen/Core>
@@ -46,8 +47,8 @@ public:
   bool takeIf(char sign); // whether it came
   /// @throws Error if another comes
   void require(char sign);
-  /// @throws Error if no word comes; `what` says which was expected
-  std::string_view takeWord(std::string_view what);
+  /// @throws Error if no word comes, by failOfNext(expected)
+  std::string_view takeWord(const char* expected);
   /// A number, its sign before it; "nan" and "inf" are some.
   /// @throws Error if none comes
   double takeNumber();
@@ -60,10 +61,13 @@ public:
   /// Passes over the rest of the line of the token that comes next, and that.
   void skipLine();
 
-  /// @throws Error always: "oak.geom, line 12: expected what, found 'Sphere'"
-  [[noreturn]] void failOfNext(std::string_view expected) const;
-  /// @throws Error always: "oak.geom, line 12: what"
-  [[noreturn]] void failAt(std::size_t line, std::string_view what) const;
+  /// @param expected  a sentence on it, with %1 for what comes next
+  /// @throws ShownError always: "oak.geom, line 12: expected a word, found 'Sphere'", or failOfEnd
+  [[noreturn]] void failOfNext(const char* expected) const;
+  /// @throws ShownError always: the file ends too early
+  [[noreturn]] void failOfEnd() const;
+  /// @throws ShownError always: "oak.geom, line 12: what"
+  [[noreturn]] void failAt(std::size_t line, ShownMessage what) const;
 
 private:
   GeomToken scan();

@@ -1,6 +1,6 @@
 #include "core/io/plantgl/mtg_tables.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -23,14 +23,18 @@ public:
   Walk(const Pickle& pickle, const std::string& file)
       : pickle_(pickle), file_(file), stepsLeft_(16 * pickle.values.size() + 16) {}
 
-  [[noreturn]] void fail(const std::string& what) const {
-    throw Error(file_ + ": " + what + ": save it as .mtg with the program that wrote it");
+  [[noreturn]] void fail(ShownMessage what) const {
+    what.where = FilePlace{file_};
+    throw ShownError(std::move(what));
   }
 
-  const PickleDict& dict(PickleId id, const std::string& what) {
+  /// @param ifNone  what is wrong if it is no table
+  const PickleDict& dict(PickleId id, ShownMessage ifNone) {
     const auto* found = std::get_if<PickleDict>(&pickle_[id]);
-    if (found == nullptr) fail("its " + what + " is no table");
-    if (found->items.size() > stepsLeft_) fail("its tables share one another too often");
+    if (found == nullptr) fail(std::move(ifNone));
+    if (found->items.size() > stepsLeft_)
+      fail({espalier::Shown::tr("its tables share one another too often: save it as .mtg with the "
+                                "program that wrote it")});
     stepsLeft_ -= found->items.size();
     return *found;
   }
@@ -41,29 +45,46 @@ public:
 
   [[nodiscard]] std::int64_t vertex(PickleId id, std::string_view table) const {
     const auto* number = std::get_if<std::int64_t>(&pickle_[id]);
-    if (number == nullptr) fail("its table " + std::string(table) + " has a key that is no number");
+    if (number == nullptr)
+      fail({espalier::Shown::tr("its table %1 has a key that is no number: save it as .mtg with "
+                                "the program that wrote it"),
+            {std::string(table)}});
     return *number;
+  }
+
+  const PickleDict& table(PickleId id, const std::string& name) {
+    return dict(id,
+                {espalier::Shown::tr(
+                     "its table %1 is no table: save it as .mtg with the program that wrote it"),
+                 {name}});
   }
 
   /// A table of numbers; entries that are None are left out.
   MtgTables::ByVertex numbers(PickleId id, const std::string& name) {
-    MtgTables::ByVertex table;
-    for (const auto& [key, value] : dict(id, "table " + name).items) {
+    MtgTables::ByVertex numbers;
+    for (const auto& [key, value] : table(id, name).items) {
       if (std::holds_alternative<PickleNone>(pickle_[value]))
-        table.erase(vertex(key, name));
+        numbers.erase(vertex(key, name));
       else
-        table[vertex(key, name)] = vertex(value, name);
+        numbers[vertex(key, name)] = vertex(value, name);
     }
-    return table;
+    return numbers;
   }
 
   std::vector<MtgProperty> properties(PickleId id) {
     std::vector<MtgProperty> properties;
-    for (const auto& [key, value] : dict(id, "table _properties").items) {
+    for (const auto& [key, value] : table(id, "_properties").items) {
       const std::string* name = text(key);
-      if (name == nullptr) fail("it has a property whose name is no text");
+      if (name == nullptr)
+        fail({espalier::Shown::tr("it has a property whose name is no text: save it as .mtg with "
+                                  "the program that wrote it")});
       MtgProperty property{*name, {}};
-      for (const auto& [vertexId, entry] : dict(value, "property " + inQuotes(*name)).items)
+      const PickleDict& values =
+          dict(value,
+               {espalier::Shown::tr(
+                    "its property %1 is no table: save it as .mtg with the program that wrote it"),
+                {inQuotes(*name)}});
+      for (const auto& [vertexId, entry] : values.items)
         property.values.emplace_back(vertex(vertexId, *name), entry);
       properties.push_back(std::move(property));
     }
@@ -92,10 +113,15 @@ MtgTables mtgTablesIn(const Pickle& pickle, const std::string& file) {
   Walk walk(pickle, file);
   const auto* object = std::get_if<PickleObject>(&pickle[pickle.root]);
   if (object == nullptr || object->global != mtgClass || !object->state)
-    walk.fail("is a pickle of something else than an MTG");
+    walk.fail({espalier::Shown::tr("is a pickle of something else than an MTG: save it as .mtg "
+                                   "with the program that wrote it")});
   MtgTables tables;
   bool hasScales = false;
-  for (const auto& [key, value] : walk.dict(*object->state, "state").items) {
+  const PickleDict& state =
+      walk.dict(*object->state,
+                {espalier::Shown::tr(
+                    "its state is no table: save it as .mtg with the program that wrote it")});
+  for (const auto& [key, value] : state.items) {
     const std::string* name = walk.text(key);
     if (name == nullptr) continue;
     if (*name == "_scale") tables.scales = walk.numbers(value, *name);
@@ -104,7 +130,9 @@ MtgTables mtgTablesIn(const Pickle& pickle, const std::string& file) {
     if (*name == "_properties") tables.properties = walk.properties(value);
     hasScales = hasScales || *name == "_scale";
   }
-  if (!hasScales) walk.fail("its MTG has no table _scale");
+  if (!hasScales)
+    walk.fail({espalier::Shown::tr(
+        "its MTG has no table _scale: save it as .mtg with the program that wrote it")});
   return tables;
 }
 

@@ -1,7 +1,5 @@
 #include "core/io/plantgl/mtg_vertices.h"
 
-#include "core/base/counted.h"
-#include "core/base/error.h"
 #include "core/base/text.h"
 
 #include <queue>
@@ -15,10 +13,6 @@ namespace espalier {
 namespace {
 
 constexpr std::size_t longestSymbol = 32;
-
-std::string nameOf(std::int64_t vertex) {
-  return "vertex " + std::to_string(vertex);
-}
 
 /// A vertex in the tables: its numbers, and how many of these must come before it.
 struct NumberedVertex {
@@ -56,29 +50,38 @@ public:
         if (--missing[dependent] == 0) ready.push(dependent);
     }
     for (const auto& [number, count] : missing)
-      if (count > 0) fail(nameOf(number) + " is among its own ancestors");
+      if (count > 0)
+        fail({espalier::Shown::tr("vertex %1 is among its own ancestors: the file is damaged, or "
+                                  "was saved by a program that failed"),
+              {std::to_string(number)}});
     return order;
   }
 
 private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw Error(file_ + ": " + what +
-                ": the file is damaged, or was saved by a program that failed");
+  [[noreturn]] void fail(ShownMessage what) const {
+    what.where = FilePlace{file_};
+    throw ShownError(std::move(what));
   }
 
   [[nodiscard]] NumberedVertex entryOf(std::int64_t number, std::int64_t scale) const {
     if (scale < 0 || scale > finestScale)
-      fail(nameOf(number) + " is of scale " + std::to_string(scale));
+      fail({espalier::Shown::tr("vertex %1 is of scale %2: the file is damaged, or was saved by a "
+                                "program that failed"),
+            {std::to_string(number), std::to_string(scale)}});
     NumberedVertex entry{number, static_cast<int>(scale), std::nullopt, std::nullopt};
     if (const auto parent = tables_.parents.find(number); parent != tables_.parents.end()) {
       if (scaleOf(parent->second, number) != scale)
-        fail(nameOf(number) + " is attached to " + nameOf(parent->second) + " of another scale");
+        fail({espalier::Shown::tr("vertex %1 is attached to vertex %2 of another scale: the file "
+                                  "is damaged, or was saved by a program that failed"),
+              {std::to_string(number), std::to_string(parent->second)}});
       entry.parent = parent->second;
     }
     if (const auto complex = tables_.complexes.find(number); complex != tables_.complexes.end()) {
       const std::int64_t coarser = scaleOf(complex->second, number);
       if (coarser >= scale)
-        fail(nameOf(number) + " is a part of " + nameOf(complex->second) + ", which is no coarser");
+        fail({espalier::Shown::tr("vertex %1 is a part of vertex %2, which is no coarser: the file "
+                                  "is damaged, or was saved by a program that failed"),
+              {std::to_string(number), std::to_string(complex->second)}});
       if (coarser > 0) entry.complex = complex->second;
     }
     return entry;
@@ -87,7 +90,9 @@ private:
   [[nodiscard]] std::int64_t scaleOf(std::int64_t number, std::int64_t for_) const {
     const auto found = tables_.scales.find(number);
     if (found == tables_.scales.end())
-      fail(nameOf(for_) + " needs " + nameOf(number) + ", which is missing");
+      fail({espalier::Shown::tr("vertex %1 needs vertex %2, which is missing: the file is damaged, "
+                                "or was saved by a program that failed"),
+            {std::to_string(for_), std::to_string(number)}});
     return found->second;
   }
 
@@ -123,9 +128,26 @@ Label labelIn(std::string_view text) {
   return label.index ? label : Label{};
 }
 
-std::string renamed(const std::string& symbol, const std::string& name, int scale) {
-  return "label " + symbol + " is used on several scales, and becomes " + name + " on scale " +
-         std::to_string(scale);
+/// Makes the classes of these scales and symbols: each gets a name of its own, which vertices take.
+void nameClasses(const std::set<std::pair<int, std::string>>& classes, TableVertices& result,
+                 const std::string& file) {
+  std::map<std::pair<int, std::string>, std::string> names;
+  std::set<std::string> used;
+  result.mtg.classes.push_back({"$", 0, "FREE", "FREE", "IMPLICIT"});
+  for (const auto& [scale, symbol] : classes) {
+    std::string name = symbol;
+    while (!used.insert(name).second)
+      name += symbol;
+    if (name != symbol)
+      result.notes.push_back(
+          {espalier::Shown::tr("label %1 is used on several scales, and becomes %2 on scale %3"),
+           {symbol, name, std::to_string(scale)},
+           FilePlace{file}});
+    result.mtg.classes.push_back({.symbol = name, .scale = scale});
+    names.emplace(std::pair(scale, symbol), name);
+  }
+  for (MtgVertex& vertex : result.mtg.vertices)
+    vertex.symbol = names.at({vertex.scale, vertex.symbol});
 }
 
 /// Sets symbols and indices, and the classes they are of.
@@ -147,24 +169,14 @@ void nameVertices(const std::vector<NumberedVertex>& entries,
     classes.emplace(entries[i].scale, label.symbol);
   }
   if (nameless > 0)
-    result.notes.push_back(file + ": " +
-                           counted(nameless,
-                                   "vertex has no label of letters and a number, and gets",
-                                   "vertices have no label of letters and a number, and get") +
-                           " P or N");
-  std::map<std::pair<int, std::string>, std::string> names;
-  std::set<std::string> used;
-  result.mtg.classes.push_back({"$", 0, "FREE", "FREE", "IMPLICIT"});
-  for (const auto& [scale, symbol] : classes) {
-    std::string name = symbol;
-    while (!used.insert(name).second)
-      name += symbol;
-    if (name != symbol) result.notes.push_back(file + ": " + renamed(symbol, name, scale));
-    result.mtg.classes.push_back({.symbol = name, .scale = scale});
-    names.emplace(std::pair(scale, symbol), name);
-  }
-  for (MtgVertex& vertex : result.mtg.vertices)
-    vertex.symbol = names.at({vertex.scale, vertex.symbol});
+    result.notes.push_back(
+        {nameless == 1
+             ? espalier::Shown::tr("1 vertex has no label of letters and a number, and gets P or N")
+             : espalier::Shown::tr(
+                   "%1 vertices have no label of letters and a number, and get P or N"),
+         {std::to_string(nameless)},
+         FilePlace{file}});
+  nameClasses(classes, result, file);
 }
 
 /// Sets the edges to the parents.
@@ -190,17 +202,21 @@ void setEdges(const std::vector<NumberedVertex>& entries,
   for (const std::size_t i : unclear)
     if (vertices[i].edge == EdgeType::branching) --successors[indexOf(*vertices[i].parent)];
   if (!unclear.empty())
-    result.notes.push_back(file + ": " +
-                           counted(unclear.size(), "edge is neither < nor +, and is",
-                                   "edges are neither < nor +, and are") +
-                           " taken as < where the parent has no other, else as +");
+    result.notes.push_back(
+        {unclear.size() == 1 ? espalier::Shown::tr("1 edge is neither < nor +, and is taken as < "
+                                                   "where the parent has no other, else as +")
+                             : espalier::Shown::tr("%1 edges are neither < nor +, and are taken as "
+                                                   "< where the parent has no other, else as +"),
+         {std::to_string(unclear.size())},
+         FilePlace{file}});
   const auto several = std::ranges::count_if(successors, [](std::size_t n) { return n > 1; });
   if (several > 0)
-    result.notes.push_back(file + ": " +
-                           counted(static_cast<std::size_t>(several),
-                                   "vertex has more than one successor, and is",
-                                   "vertices have more than one successor, and are") +
-                           " kept so");
+    result.notes.push_back(
+        {several == 1
+             ? espalier::Shown::tr("1 vertex has more than one successor, and is kept so")
+             : espalier::Shown::tr("%1 vertices have more than one successor, and are kept so"),
+         {std::to_string(several)},
+         FilePlace{file}});
 }
 
 /// Which classes follow which.
@@ -222,7 +238,8 @@ std::vector<MtgRule> rulesOf(const std::vector<MtgVertex>& vertices) {
 TableVertices verticesOf(const Pickle& pickle, const MtgTables& tables, const std::string& file) {
   TableVertices result;
   const std::vector<NumberedVertex> entries = Topology(tables, file).ordered();
-  if (entries.empty()) throw Error(file + ": holds no vertices");
+  if (entries.empty())
+    throw ShownError({espalier::Shown::tr("holds no vertices"), {}, FilePlace{file}});
   for (const NumberedVertex& entry : entries) {
     const VertexId id{static_cast<std::uint32_t>(result.mtg.vertices.size())};
     MtgVertex vertex{.symbol = {}, .index = {}, .scale = entry.scale, .values = {}};

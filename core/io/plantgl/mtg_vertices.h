@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/shown_message.h"
 #include "core/io/plantgl/mtg_tables.h"
 #include "core/mtg/mtg.h"
 
@@ -13,7 +14,7 @@ namespace espalier {
 struct TableVertices {
   Mtg mtg;                              // classes, rules and vertices; no features
   std::map<std::int64_t, VertexId> ids; // by the number in the tables
-  std::vector<std::string> notes;
+  std::vector<ShownMessage> notes;
 };
 
 /// Vertices, classes and edges by the rules stated at `readBmtg`. Vertices keep the order of their

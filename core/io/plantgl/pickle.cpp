@@ -30,27 +30,25 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(std::string_view what) const {
-    std::string message = "opcode ";
-    message += nameOfPickleOpcode(opcode_);
-    message += ' ';
-    message += what;
-    in_.failAt(start_, message);
+  /// @param sentence  with %1 for the opcode, then %2 ... for the values
+  [[noreturn]] void fail(const char* sentence, std::vector<std::string> values = {}) const {
+    values.insert(values.begin(), nameOfPickleOpcode(opcode_));
+    in_.failAt(start_, {sentence, std::move(values)});
   }
   [[noreturn]] void refuse() const {
-    fail("is not plain data, and this file may be meant to do harm: it is not read. If you trust "
-         "it, save it as .mtg with the program that wrote it");
+    fail(espalier::Shown::tr(
+        "opcode %1 is not plain data, and this file may be meant to do harm: it is not read. If "
+        "you trust it, save it as .mtg with the program that wrote it"));
   }
 
   PickleId pop() {
-    if (stack_.size() <= base()) fail("finds nothing to work on: the file is damaged");
-    const PickleId top = stack_.back();
+    const PickleId taken = top();
     stack_.pop_back();
-    return top;
+    return taken;
   }
   [[nodiscard]] std::size_t base() const { return marks_.empty() ? 0 : marks_.back(); }
   std::vector<PickleId> popToMark() {
-    if (marks_.empty()) fail("finds no mark: the file is damaged");
+    if (marks_.empty()) fail(espalier::Shown::tr("opcode %1 finds no mark: the file is damaged"));
     const auto begin = stack_.begin() + static_cast<std::ptrdiff_t>(marks_.back());
     std::vector<PickleId> items(begin, stack_.end());
     stack_.erase(begin, stack_.end());
@@ -58,13 +56,14 @@ private:
     return items;
   }
   [[nodiscard]] PickleId top() const {
-    if (stack_.size() <= base()) fail("finds nothing to work on: the file is damaged");
+    if (stack_.size() <= base())
+      fail(espalier::Shown::tr("opcode %1 finds nothing to work on: the file is damaged"));
     return stack_.back();
   }
 
   bool push(PickleValue value) {
     if (pickle_.values.size() >= std::numeric_limits<std::uint32_t>::max())
-      fail("comes after more values than can be counted");
+      fail(espalier::Shown::tr("opcode %1 comes after more values than can be counted"));
     const PickleId id{static_cast<std::uint32_t>(pickle_.values.size())};
     pickle_.values.push_back(std::move(value));
     stack_.push_back(id);
@@ -73,15 +72,16 @@ private:
   bool push(Kind kind, std::vector<PickleId> items) {
     return push(PickleSequence{kind, std::move(items)});
   }
-  template <class T> T& valueOf(PickleId id, const char* expected) {
+  /// @param ifNone  what is wrong if it is none, as of fail()
+  template <class T> T& valueOf(PickleId id, const char* ifNone) {
     T* value = std::get_if<T>(&pickle_.values[indexOf(id)]);
-    if (value == nullptr) fail("does not find " + std::string(expected) + ": the file is damaged");
+    if (value == nullptr) fail(ifNone);
     return *value;
   }
   template <class Size> std::string sized() {
     const auto size = in_.value<Size>();
     if constexpr (std::is_signed_v<Size>)
-      if (size < 0) fail("has a text of negative length");
+      if (size < 0) fail(espalier::Shown::tr("opcode %1 has a text of negative length"));
     return std::string(in_.take(static_cast<std::uint64_t>(size)));
   }
 
@@ -138,7 +138,7 @@ bool Machine::runNumber() {
   case 'F': {
     const std::string_view line = in_.takeUntil('\n');
     const auto number = numberIn(line);
-    if (!number) fail("has " + inQuotes(line) + ", expected a number");
+    if (!number) fail(espalier::Shown::tr("opcode %1 has %2, expected a number"), {inQuotes(line)});
     return push(*number);
   }
   default:
@@ -148,7 +148,7 @@ bool Machine::runNumber() {
 
 /// Little-endian, two's complement.
 bool Machine::pushLong(std::string_view digits) {
-  if (digits.size() > 8) fail("has an integer of more than 64 bits");
+  if (digits.size() > 8) fail(espalier::Shown::tr("opcode %1 has an integer of more than 64 bits"));
   std::uint64_t value = 0;
   for (std::size_t i = 0; i < digits.size(); ++i)
     value |= std::uint64_t{static_cast<std::uint8_t>(digits[i])} << (8 * i);
@@ -160,7 +160,9 @@ bool Machine::pushLong(std::string_view digits) {
 bool Machine::pushInteger(std::string_view text, bool mayBeTruth) {
   if (mayBeTruth && (text == "00" || text == "01")) return push(text == "01");
   const auto value = integerInPickle(text);
-  if (!value) fail("has " + inQuotes(text) + ", expected an integer of up to 64 bits");
+  if (!value)
+    fail(espalier::Shown::tr("opcode %1 has %2, expected an integer of up to 64 bits"),
+         {inQuotes(text)});
   return push(*value);
 }
 
@@ -169,7 +171,8 @@ bool Machine::runText() {
   case 'S': {
     const std::string_view line = in_.takeUntil('\n');
     auto text = textOfQuoted(line);
-    if (!text) fail("has " + inQuotes(line) + ", expected a text in quotes");
+    if (!text)
+      fail(espalier::Shown::tr("opcode %1 has %2, expected a text in quotes"), {inQuotes(line)});
     return push(std::move(*text));
   }
   case 'V':
@@ -242,15 +245,19 @@ bool Machine::runContainer() {
 }
 
 bool Machine::extend(Kind kind, const std::vector<PickleId>& items) {
-  auto& sequence = valueOf<PickleSequence>(top(), "a list or set to add to");
-  if (sequence.kind != kind) fail("does not find a list or set to add to: the file is damaged");
+  constexpr auto ifNone =
+      espalier::Shown::tr("opcode %1 does not find a list or set to add to: the file is damaged");
+  auto& sequence = valueOf<PickleSequence>(top(), ifNone);
+  if (sequence.kind != kind) fail(ifNone);
   sequence.items.insert(sequence.items.end(), items.begin(), items.end());
   return true;
 }
 
 bool Machine::setItems(PickleId dict, const std::vector<PickleId>& items) {
-  auto& target = valueOf<PickleDict>(dict, "a dict to add to");
-  if (items.size() % 2 != 0) fail("has a key without a value: the file is damaged");
+  auto& target = valueOf<PickleDict>(
+      dict, espalier::Shown::tr("opcode %1 does not find a dict to add to: the file is damaged"));
+  if (items.size() % 2 != 0)
+    fail(espalier::Shown::tr("opcode %1 has a key without a value: the file is damaged"));
   for (std::size_t i = 0; i < items.size(); i += 2)
     target.items.emplace_back(items[i], items[i + 1]);
   return true;
@@ -261,8 +268,9 @@ bool Machine::runStack() {
   case 0x80: {
     const int protocol = in_.value<std::uint8_t>();
     if (protocol > newestProtocol)
-      fail("asks for protocol " + std::to_string(protocol) + ", and 0 to " +
-           std::to_string(newestProtocol) + " can be read: save it with an older protocol");
+      fail(espalier::Shown::tr("opcode %1 asks for protocol %2, and 0 to %3 can be read: save it "
+                               "with an older protocol"),
+           {std::to_string(protocol), std::to_string(newestProtocol)});
     return true;
   }
   case 0x95: // the length of what comes, for readers that buffer
@@ -312,14 +320,17 @@ bool Machine::runStack() {
 
 std::uint64_t Machine::slotIn(std::string_view line) {
   const auto slot = integerInPickle(line);
-  if (!slot || *slot < 0) fail("has " + inQuotes(line) + ", expected the number of a memo");
+  if (!slot || *slot < 0)
+    fail(espalier::Shown::tr("opcode %1 has %2, expected the number of a memo"), {inQuotes(line)});
   return static_cast<std::uint64_t>(*slot);
 }
 
 bool Machine::get(std::uint64_t slot) {
   const auto found = memo_.find(slot);
   if (found == memo_.end())
-    fail("asks for memo " + std::to_string(slot) + ", which was never set: the file is damaged");
+    fail(
+        espalier::Shown::tr("opcode %1 asks for memo %2, which was never set: the file is damaged"),
+        {std::to_string(slot)});
   stack_.push_back(found->second);
   return true;
 }
@@ -333,8 +344,13 @@ bool Machine::runObject() {
   case 0x93: {
     const PickleId name = pop();
     const PickleId module = pop();
-    return pushName(valueOf<std::string>(module, "the text of a module"),
-                    valueOf<std::string>(name, "the text of a name"));
+    return pushName(
+        valueOf<std::string>(
+            module, espalier::Shown::tr(
+                        "opcode %1 does not find the text of a module: the file is damaged")),
+        valueOf<std::string>(
+            name, espalier::Shown::tr(
+                      "opcode %1 does not find the text of a name: the file is damaged")));
   }
   case 'R':
   case 0x81:
@@ -349,23 +365,30 @@ bool Machine::runObject() {
 bool Machine::pushName(std::string_view module, std::string_view name) {
   for (std::size_t i = 0; i < allowed_.size(); ++i)
     if (allowed_[i].module == module && allowed_[i].name == name) return push(PickleName{i});
-  fail("asks for " + inQuotes(name) + " of " + inQuotes(module) +
-       ", which a plant does not need, and this file may be meant to do harm: it is not read. If "
-       "you trust it, save it as .mtg with the program that wrote it");
+  fail(espalier::Shown::tr("opcode %1 asks for %2 of %3, which a plant does not need, and this "
+                           "file may be meant to do harm: it is not read. If you trust it, save it "
+                           "as .mtg with the program that wrote it"),
+       {inQuotes(name), inQuotes(module)});
 }
 
 bool Machine::make() {
   const PickleId arguments = pop();
-  const std::size_t global = valueOf<PickleName>(pop(), "a class").global;
-  if (valueOf<PickleSequence>(arguments, "a tuple").kind != Kind::tuple)
-    fail("does not find a tuple: the file is damaged");
+  const std::size_t global =
+      valueOf<PickleName>(
+          pop(), espalier::Shown::tr("opcode %1 does not find a class: the file is damaged"))
+          .global;
+  constexpr auto ifNoTuple =
+      espalier::Shown::tr("opcode %1 does not find a tuple: the file is damaged");
+  if (valueOf<PickleSequence>(arguments, ifNoTuple).kind != Kind::tuple) fail(ifNoTuple);
   return push(PickleObject{global, arguments, std::nullopt});
 }
 
 bool Machine::build() {
   const PickleId state = pop();
-  auto& object = valueOf<PickleObject>(top(), "an object");
-  if (object.state) fail("sets the state of an object twice: the file is damaged");
+  auto& object = valueOf<PickleObject>(
+      top(), espalier::Shown::tr("opcode %1 does not find an object: the file is damaged"));
+  if (object.state)
+    fail(espalier::Shown::tr("opcode %1 sets the state of an object twice: the file is damaged"));
   object.state = state;
   return true;
 }

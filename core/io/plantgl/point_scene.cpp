@@ -1,7 +1,5 @@
 #include "core/io/plantgl/point_scene.h"
 
-#include "core/base/counted.h"
-#include "core/base/error.h"
 #include "core/base/listed.h"
 
 #include <algorithm>
@@ -28,13 +26,18 @@ void checkSize(const PointScene& scene, const std::string& file) {
   for (const std::uint32_t shape : scene.shapes) {
     const std::uint64_t more = scene.objects[shape].total;
     if (more > mostRepeats * listed || total + more > mostRepeats * listed)
-      throw Error(file + ": repeats its " + std::to_string(listed) + " points more than " +
-                  std::to_string(mostRepeats) + " times: export the points alone, or as PLY");
+      throw ShownError(
+          {espalier::Shown::tr(
+               "repeats its %1 points more than %2 times: export the points alone, or as PLY"),
+           {std::to_string(listed), std::to_string(mostRepeats)},
+           FilePlace{file}});
     total += more;
   }
   if (total > std::numeric_limits<std::uint32_t>::max())
-    throw Error(file + ": holds " + std::to_string(total) +
-                " points, more than can be worked on at once: thin or split it");
+    throw ShownError({espalier::Shown::tr(
+                          "holds %1 points, more than can be worked on at once: thin or split it"),
+                      {std::to_string(total)},
+                      FilePlace{file}});
 }
 
 RawPoints pointsOfShapes(const PointScene& scene, const Progress& progress) {
@@ -60,21 +63,30 @@ RawPoints pointsOfShapes(const PointScene& scene, const Progress& progress) {
   return points;
 }
 
-std::vector<std::string> notesOn(const PointScene& scene, const std::string& file) {
-  std::vector<std::string> notes;
-  if (!scene.skipped.empty()) {
-    notes.push_back(file + ": objects that are no point sets are passed over: " +
-                    listed({scene.skipped.begin(), scene.skipped.end()}));
-  }
+std::vector<ShownMessage> notesOn(const PointScene& scene, const std::string& file) {
+  std::vector<ShownMessage> notes;
+  if (!scene.skipped.empty())
+    notes.push_back({espalier::Shown::tr("objects that are no point sets are passed over: %1"),
+                     {listed({scene.skipped.begin(), scene.skipped.end()})},
+                     FilePlace{file}});
   if (scene.unplaced > 0)
-    notes.push_back(file + ": " + counted(scene.unplaced, "point") +
-                    " in objects that the scene bends, or turns unclearly, left out");
+    notes.push_back(
+        {scene.unplaced == 1
+             ? espalier::Shown::tr(
+                   "1 point in objects that the scene bends, or turns unclearly, left out")
+             : espalier::Shown::tr(
+                   "%1 points in objects that the scene bends, or turns unclearly, left out"),
+         {std::to_string(scene.unplaced)},
+         FilePlace{file}});
   if (scene.badColors > 0)
-    notes.push_back(file + ": " +
-                    counted(scene.badColors,
-                            "point set has another number of colors than of points, and loses",
-                            "point sets have another number of colors than of points, and lose") +
-                    " them");
+    notes.push_back(
+        {scene.badColors == 1
+             ? espalier::Shown::tr(
+                   "1 point set has another number of colors than of points, and loses them")
+             : espalier::Shown::tr(
+                   "%1 point sets have another number of colors than of points, and lose them"),
+         {std::to_string(scene.badColors)},
+         FilePlace{file}});
   return notes;
 }
 

@@ -1,6 +1,6 @@
 #include "core/io/points/copc_octree.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/io/bytes/scalar.h"
 
 #include <cmath>
@@ -11,9 +11,11 @@
 namespace espalier {
 namespace {
 
-Error damagedOctree(const std::string& file) {
-  return Error{file + ": its octree (COPC) does not fit its points, so no part of them is found: "
-                      "the file is damaged, copy or export it again"};
+ShownError damagedOctree(const std::string& file) {
+  return ShownError({Shown::tr("its octree (COPC) does not fit its points, so no part of them is "
+                               "found: the file is damaged, copy or export it again"),
+                     {},
+                     FilePlace{file}});
 }
 
 /// What the record of COPC says.

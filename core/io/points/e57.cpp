@@ -1,7 +1,6 @@
 #include "core/io/points/e57.h"
 
-#include "core/base/counted.h"
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/cloud/spherical.h"
 #include "core/io/points/e57_packets.h"
@@ -117,14 +116,17 @@ std::uint64_t checkedRecords(const std::vector<E57Scan>& scans, const E57Pages& 
     std::uint64_t bits = 0;
     for (const E57Field& field : scan.fields)
       bits += field.bits;
-    if (bits >= 8) checkPromise(pages.file(), scan.records, bits / 8, pages.size());
+    if (bits >= 8) checkPromise(FilePlace{pages.file()}, scan.records, bits / 8, pages.size());
     const std::uint64_t most = freePoints + mostPoints * pages.size();
     if (scan.records > most || all + scan.records > most)
-      throw Error(pages.file() + ": promises " + counted(scan.records, "point") +
-                  " of hardly any bits, as of no scan: the file is damaged, export it again");
+      throw ShownError(
+          {espalier::Shown::tr("promises %1 points of hardly any bits, as of no scan: the file "
+                               "is damaged, export it again"),
+           {std::to_string(scan.records)},
+           FilePlace{pages.file()}});
     all += scan.records;
   }
-  checkPromise(pages.file(), all, 1, all);
+  checkPromise(FilePlace{pages.file()}, all, 1, all);
   return all;
 }
 
@@ -156,9 +158,10 @@ ImportedPoints readE57(std::istream& in, const std::string& file, const ReadOpti
   }
   ImportedPoints result{std::move(stations).finish(file), read};
   if (measured < read)
-    result.notes.push_back(file + ": " + std::to_string(read - measured) + " of " +
-                           counted(read, "point") +
-                           " are marked as having no position and are left out");
+    result.notes.push_back(
+        {Shown::tr("%1 of %2 points are marked as having no position and are left out"),
+         {std::to_string(read - measured), std::to_string(read)},
+         FilePlace{file}});
   result.notes.insert(result.notes.end(), scans.notes.begin(), scans.notes.end());
   return result;
 }

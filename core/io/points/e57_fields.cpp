@@ -1,6 +1,6 @@
 #include "core/io/points/e57_fields.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/io/bytes/scalar.h"
 
@@ -82,9 +82,10 @@ std::vector<E57Role> rolesOfLeaves(const XmlFile& xml, pugi::xml_node prototype,
                                    const std::vector<pugi::xml_node>& leaves) {
   const bool isCartesian = hasAll(leaves, "cartesian", {"X", "Y", "Z"});
   if (!isCartesian && !hasAll(leaves, "spherical", {"Range", "Azimuth", "Elevation"}))
-    throw Error(xml.where(prototype) +
-                "its points have neither cartesianX, Y and Z nor sphericalRange, Azimuth and "
-                "Elevation: export them with Cartesian coordinates");
+    throw ShownError({Shown::tr("its points have neither cartesianX, Y and Z nor sphericalRange, "
+                                "Azimuth and Elevation: export them with Cartesian coordinates"),
+                      {},
+                      xml.where(prototype)});
   std::vector<E57Role> roles;
   std::array<bool, indexOf(E57Role::count)> taken{};
   for (const pugi::xml_node leaf : leaves) {
@@ -104,8 +105,9 @@ std::int64_t integerAttribute(const XmlFile& xml, pugi::xml_node node, const cha
   std::int64_t value = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || stop != text.data() + text.size())
-    throw Error(xml.where(node) + "expected an integer of 64 bits as " + name + ", found " +
-                inQuotes(attribute.value()));
+    throw ShownError({espalier::Shown::tr("expected an integer of 64 bits as %1, found %2"),
+                      {name, inQuotes(attribute.value())},
+                      xml.where(node)});
   return value;
 }
 
@@ -122,8 +124,10 @@ E57Field integerField(const XmlFile& xml, pugi::xml_node node, bool isScaled) {
   field.minimum = integerAttribute(xml, node, "minimum", Limits::min());
   const std::int64_t maximum = integerAttribute(xml, node, "maximum", Limits::max());
   if (maximum < field.minimum)
-    throw Error(xml.where(node) + "the maximum of " + inQuotes(node.name()) +
-                " is below its minimum: the file is damaged, export it again");
+    throw ShownError(
+        {Shown::tr("the maximum of %1 is below its minimum: the file is damaged, export it again"),
+         {inQuotes(node.name())},
+         xml.where(node)});
   const std::uint64_t most =
       static_cast<std::uint64_t>(maximum) - static_cast<std::uint64_t>(field.minimum);
   field.bits = static_cast<unsigned>(std::bit_width(most));
@@ -160,8 +164,10 @@ E57Field fieldOf(const XmlFile& xml, pugi::xml_node node, E57Role role) {
     field.kind = E57Field::Kind::text;
     field.bits = 0;
   } else {
-    throw Error(xml.where(node) + "the field " + inQuotes(node.name()) + " is of type " +
-                inQuotes(type) + ", expected Float, Integer or ScaledInteger");
+    throw ShownError(
+        {Shown::tr("the field %1 is of type %2, expected Float, Integer or ScaledInteger"),
+         {inQuotes(node.name()), inQuotes(type)},
+         xml.where(node)});
   }
   field.role = role;
   return field;

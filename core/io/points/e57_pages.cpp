@@ -1,7 +1,6 @@
 #include "core/io/points/e57_pages.h"
 
-#include "core/base/counted.h"
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/io/bytes/scalar.h"
 #include "core/io/points/point_collector.h"
 
@@ -65,9 +64,10 @@ void takeChecksums(std::string& pages, std::size_t first, std::uint64_t all,
     const char* const start = bytes + page * pageSize;
     // Unlike all else in the file, its first byte is the highest.
     if (checksumOf(start) != valueAt<std::uint32_t>(start + pageContent, std::endian::big))
-      throw Error(file + ", byte " + std::to_string((first + page) * pageSize) + ": page " +
-                  std::to_string(first + page + 1) + " of " + std::to_string(all) +
-                  " does not fit its checksum: the file is damaged, copy or export it again");
+      throw ShownError({Shown::tr("page %1 of %2 does not fit its checksum: the file is damaged, "
+                                  "copy or export it again"),
+                        {std::to_string(first + page + 1), std::to_string(all)},
+                        FilePlace{.file = file, .byte = (first + page) * pageSize}});
     std::memmove(bytes + page * pageContent, start, pageContent);
   }
   pages.resize(count * pageContent);
@@ -77,9 +77,14 @@ void takeChecksums(std::string& pages, std::size_t first, std::uint64_t all,
 
 E57Header readE57Header(std::string_view bytes, std::uint64_t fileSize, const std::string& file) {
   if (!bytes.starts_with(e57Signature))
-    throw Error(file + ": is no E57 file, it does not begin with " + std::string(e57Signature));
+    throw ShownError({Shown::tr("is no E57 file, it does not begin with %1"),
+                      {std::string(e57Signature)},
+                      FilePlace{file}});
   if (bytes.size() < e57HeaderSize)
-    throw Error(file + ": ends within its header: the file is cut short, copy or export it again");
+    throw ShownError(
+        {Shown::tr("ends within its header: the file is cut short, copy or export it again"),
+         {},
+         FilePlace{file}});
   const char* header = bytes.data();
   const auto major = valueAt<std::uint32_t>(header + 8);
   const auto pages = valueAt<std::uint64_t>(header + 40);
@@ -89,27 +94,36 @@ E57Header readE57Header(std::string_view bytes, std::uint64_t fileSize, const st
   result.xmlStart = valueAt<std::uint64_t>(header + 24);
   result.xmlSize = valueAt<std::uint64_t>(header + 32);
   if (major != 1)
-    throw Error(file + ", byte 8: is E57 " + std::to_string(major) + "." +
-                std::to_string(result.minorVersion) +
-                ", and version 1 can be read: export it as that");
+    throw ShownError({Shown::tr("is E57 %1, and version 1 can be read: export it as that"),
+                      {std::to_string(major) + '.' + std::to_string(result.minorVersion)},
+                      FilePlace{.file = file, .byte = 8}});
   if (pages != pageSize)
-    throw Error(file + ", byte 40: has pages of " + std::to_string(pages) + " bytes, not of " +
-                std::to_string(pageSize) + ": the header is damaged, copy or export it again");
+    throw ShownError(
+        {Shown::tr(
+             "has pages of %1 bytes, not of %2: the header is damaged, copy or export it again"),
+         {std::to_string(pages), std::to_string(pageSize)},
+         FilePlace{.file = file, .byte = 40}});
   if (result.size > fileSize)
-    throw Error(file + ": its header promises " + counted(result.size, "byte") + ", but it has " +
-                std::to_string(fileSize) + ": the file is cut short, copy or export it again");
+    throw ShownError({Shown::tr("its header promises %1 bytes, but it has %2: the file is cut "
+                                "short, copy or export it again"),
+                      {std::to_string(result.size), std::to_string(fileSize)},
+                      FilePlace{file}});
   if (result.size == 0 || result.size % pageSize != 0)
-    throw Error(file + ", byte 16: says it has " + counted(result.size, "byte") +
-                ", which are no whole pages: the header is damaged, copy or export it again");
+    throw ShownError({Shown::tr("says it has %1 bytes, which are no whole pages: the header is "
+                                "damaged, copy or export it again"),
+                      {std::to_string(result.size)},
+                      FilePlace{.file = file, .byte = 16}});
   return result;
 }
 
 std::string e57XmlOf(ByteSource& source, const std::string& file) {
   const E57Header header = readE57Header(source.read(0, e57HeaderSize), source.size(), file);
   const auto fail = [&] {
-    throw Error(file + ": says that the XML of " + counted(header.xmlSize, "byte") +
-                " starts at byte " + std::to_string(header.xmlStart) +
-                ", where none can be: the file is damaged, copy or export it again");
+    throw ShownError(
+        {espalier::Shown::tr("says that the XML of %1 bytes starts at byte %2, where none can "
+                             "be: the file is damaged, copy or export it again"),
+         {std::to_string(header.xmlSize), std::to_string(header.xmlStart)},
+         FilePlace{file}});
   };
   if (header.xmlStart >= header.size || header.xmlStart % pageSize >= pageContent ||
       header.xmlSize > header.size)
@@ -129,26 +143,22 @@ E57Pages::E57Pages(ByteSource& source, std::string file) : source_(source), file
   size_ = pages_ * pageContent;
 }
 
-std::uint64_t E57Pages::placeOf(std::uint64_t inFile, std::string_view what) const {
+std::uint64_t E57Pages::placeOf(std::uint64_t inFile, const char* ifNone) const {
   const std::uint64_t page = inFile / pageSize;
   const std::uint64_t inPage = inFile % pageSize;
   if (page >= pages_ || inPage >= pageContent)
-    throw Error(file_ + ": says that " + std::string(what) + " starts at byte " +
-                std::to_string(inFile) +
-                ", where none can be: the file is damaged, copy or export it again");
+    throw ShownError({ifNone, {std::to_string(inFile)}, FilePlace{file_}});
   return page * pageContent + inPage;
 }
 
-void E57Pages::require(std::uint64_t place, std::uint64_t size, std::string_view what) const {
+void E57Pages::require(std::uint64_t place, std::uint64_t size, const char* ifLess) const {
   const std::uint64_t left = size_ - std::min(place, size_);
-  if (size > left)
-    fail(place, std::string(what) + " of " + counted(size, "byte") + " starts here, but only " +
-                    std::to_string(left) + " follow: the file is damaged, copy or export it again");
+  if (size > left) fail(place, {ifLess, {std::to_string(size), std::to_string(left)}});
 }
 
-std::string_view E57Pages::bytesAt(std::uint64_t place, std::size_t size, std::string_view what) {
+std::string_view E57Pages::bytesAt(std::uint64_t place, std::size_t size, const char* ifLess) {
   constexpr std::uint64_t windowPages = 1024;
-  require(place, size, what);
+  require(place, size, ifLess);
   if (place < windowStart_ || place + size > windowStart_ + window_.size()) {
     const std::uint64_t first = place / pageContent;
     const std::uint64_t needed = (place + size + pageContent - 1) / pageContent - first;
@@ -161,9 +171,10 @@ std::string_view E57Pages::bytesAt(std::uint64_t place, std::size_t size, std::s
   return std::string_view(window_).substr(static_cast<std::size_t>(place - windowStart_), size);
 }
 
-void E57Pages::fail(std::uint64_t place, const std::string& what) const {
+void E57Pages::fail(std::uint64_t place, ShownMessage what) const {
   const std::uint64_t inFile = place / pageContent * pageSize + place % pageContent;
-  throw Error(file_ + ", byte " + std::to_string(inFile) + ": " + what);
+  what.where = FilePlace{.file = file_, .byte = inFile};
+  throw ShownError(std::move(what));
 }
 
 } // namespace espalier

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/shown_message.h"
 #include "core/io/bytes/byte_source.h"
 
 #include <cstdint>
@@ -44,21 +45,21 @@ public:
   [[nodiscard]] std::uint64_t size() const { return size_; } // of the content
 
   /// The place in the content of byte `inFile` of the file.
-  /// @param what  stands there, for the message: "the XML"
+  /// @param ifNone  the sentence that says so, with %1 for that byte
   /// @throws Error if there is none
-  [[nodiscard]] std::uint64_t placeOf(std::uint64_t inFile, std::string_view what) const;
+  [[nodiscard]] std::uint64_t placeOf(std::uint64_t inFile, const char* ifNone) const;
 
-  /// @param place  in the content
+  /// @param place   in the content
+  /// @param ifLess  the sentence that says so, with %1 for the size, %2 for the bytes that follow
   /// @throws Error if so many bytes do not follow
-  void require(std::uint64_t place, std::uint64_t size, std::string_view what) const;
+  void require(std::uint64_t place, std::uint64_t size, const char* ifLess) const;
 
   /// The bytes from a place in the content on, which are there until the next call.
   /// @throws Error if so many do not follow, or a page is damaged: the message names the page
-  [[nodiscard]] std::string_view bytesAt(std::uint64_t place, std::size_t size,
-                                         std::string_view what);
+  [[nodiscard]] std::string_view bytesAt(std::uint64_t place, std::size_t size, const char* ifLess);
 
   /// @param place  in the content; the message has its place in the file: "oak.e57, byte 1030: ..."
-  [[noreturn]] void fail(std::uint64_t place, const std::string& what) const;
+  [[noreturn]] void fail(std::uint64_t place, ShownMessage what) const;
 
 private:
   ByteSource& source_;

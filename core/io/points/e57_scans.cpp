@@ -1,6 +1,6 @@
 #include "core/io/points/e57_scans.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -24,8 +24,9 @@ std::uint64_t countIn(const XmlFile& xml, pugi::xml_node node, const char* name)
   std::uint64_t value = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || stop != text.data() + text.size())
-    throw Error(xml.where(node) + "expected a whole number as " + name + ", found " +
-                inQuotes(node.attribute(name).value()));
+    throw ShownError({espalier::Shown::tr("expected a whole number as %1, found %2"),
+                      {name, inQuotes(node.attribute(name).value())},
+                      xml.where(node)});
   return value;
 }
 
@@ -83,8 +84,10 @@ void refuseOtherCodecs(const XmlFile& xml, pugi::xml_node points) {
   for (const pugi::xml_node codec : points.child("codecs").children())
     for (const pugi::xml_node kind : codec.children())
       if (const std::string_view name = kind.name(); name != "inputs" && name != "bitPackCodec")
-        throw Error(xml.where(kind) + "the points are packed by " + inQuotes(name) +
-                    ", which E57 1.0 does not know: export them again, as E57 1.0");
+        throw ShownError({Shown::tr("the points are packed by %1, which E57 1.0 does not know: "
+                                    "export them again, as E57 1.0"),
+                          {inQuotes(name)},
+                          xml.where(kind)});
 }
 
 /// All of a scan but how it is turned.
@@ -117,8 +120,10 @@ Imported<std::vector<E57Scan>> e57ScansOf(const XmlFile& xml) {
     if (const auto rotation = rotationOf(xml, pose))
       scans.value.back().pose.linear() = rotation->toRotationMatrix();
     else
-      scans.notes.push_back(xml.where(pose) + "the rotation of station " + std::to_string(number) +
-                            " is no unit quaternion: its points are moved, not turned");
+      scans.notes.push_back({Shown::tr("the rotation of station %1 is no unit quaternion: its "
+                                       "points are moved, not turned"),
+                             {std::to_string(number)},
+                             xml.where(pose)});
   }
   return scans;
 }

@@ -1,7 +1,6 @@
 #include "core/io/points/first_lines.h"
 
-#include "core/base/counted.h"
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -36,7 +35,8 @@ TextLine partedLine(std::string_view line, std::size_t number, const XyzLayout& 
 FirstLines firstLinesOf(ByteSource& source, const std::string& file, std::size_t most) {
   const XyzLayout layout = xyzLayoutOf(source, file);
   if (layout.columns.empty())
-    throw Error(file + ": holds no points, a line each of at least 3 numbers");
+    throw ShownError(
+        {Shown::tr("holds no points, a line each of at least 3 numbers"), {}, FilePlace{file}});
   FirstLines first{.lines = {},
                    .columns = layout.columns,
                    .doubt = layout.doubt,
@@ -52,8 +52,13 @@ FirstLines firstLinesOf(ByteSource& source, const std::string& file, std::size_t
   }
   const auto point = std::ranges::find(first.lines, TextLine::Kind::points, &TextLine::kind);
   if (point != first.lines.end() && point->fields.size() < 3)
-    throw Error(file + ": has " + counted(point->fields.size(), "column") +
-                ", and a point has x, y and z: export it again with all three");
+    throw ShownError(
+        {point->fields.size() == 1
+             ? Shown::tr("has 1 column, and a point has x, y and z: export it again with all three")
+             : Shown::tr(
+                   "has %1 columns, and a point has x, y and z: export it again with all three"),
+         {std::to_string(point->fields.size())},
+         FilePlace{file}});
   return first;
 }
 

@@ -1,6 +1,6 @@
 #include "core/io/points/las.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/io/bytes/byte_stream.h"
 #include "core/io/points/las_points.h"
 #include "core/io/points/point_collector.h"
@@ -14,8 +14,11 @@ ImportedPoints readLas(std::istream& in, const std::string& file, const ReadOpti
   ByteSource source(in);
   const std::string head = source.read(0, longestLasHeader);
   const LasHeader header = readLasHeader(head, source.size(), file);
-  if (isLaz(head)) throw Error(file + ": is compressed (LAZ), not LAS: name it so, as a.laz");
-  checkPromise(file, header.count, header.pointLength, source.size() - header.pointStart);
+  if (isLaz(head))
+    throw ShownError(
+        {Shown::tr("is compressed (LAZ), not LAS: name it so, as a.laz"), {}, FilePlace{file}});
+  checkPromise(FilePlace{file}, header.count, header.pointLength,
+               source.size() - header.pointStart);
   PartChooser chooser(options);
   LasPoints points(header, header.count, chooser);
   ByteStream bytes(source, header.pointStart);

@@ -1,6 +1,6 @@
 #include "core/io/points/las_header.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/io/bytes/scalar.h"
 
 #include <algorithm>
@@ -44,17 +44,21 @@ std::uint64_t pointCount(std::string_view bytes, int minorVersion) {
 
 void check(const LasHeader& header, std::uint64_t fileSize, const std::string& file) {
   if (header.format >= pointFormats.size())
-    throw Error(file + ": has points of format " + std::to_string(header.format) +
-                ", which LAS 1.4 does not define: convert it to one of 0 to 10");
+    throw ShownError({Shown::tr("has points of format %1, which LAS 1.4 does not define: convert "
+                                "it to one of 0 to 10"),
+                      {std::to_string(header.format)},
+                      FilePlace{file}});
   if (header.pointLength < pointFormats[header.format].length)
-    throw Error(file + ": says its points of format " + std::to_string(header.format) + " have " +
-                std::to_string(header.pointLength) + " bytes, fewer than the " +
-                std::to_string(pointFormats[header.format].length) +
-                " of this format: the header is damaged, export it again");
+    throw ShownError({Shown::tr("says its points of format %1 have %2 bytes, fewer than the %3 of "
+                                "this format: the header is damaged, export it again"),
+                      {std::to_string(header.format), std::to_string(header.pointLength),
+                       std::to_string(pointFormats[header.format].length)},
+                      FilePlace{file}});
   if (header.pointStart < smallestHeader || header.pointStart > fileSize)
-    throw Error(file + ": says its points start at byte " + std::to_string(header.pointStart) +
-                " of " + std::to_string(fileSize) +
-                ": the file is cut short or damaged, copy or export it again");
+    throw ShownError({Shown::tr("says its points start at byte %1 of %2: the file is cut short or "
+                                "damaged, copy or export it again"),
+                      {std::to_string(header.pointStart), std::to_string(fileSize)},
+                      FilePlace{file}});
 }
 
 } // namespace
@@ -77,14 +81,21 @@ LasHeader readLasHeader(std::string_view bytes, const std::string& file) {
 }
 
 LasHeader readLasHeader(std::string_view bytes, std::uint64_t fileSize, const std::string& file) {
-  if (!isLas(bytes)) throw Error(file + ": is no LAS file, it does not begin with LASF");
+  if (!isLas(bytes))
+    throw ShownError(
+        {Shown::tr("is no LAS file, it does not begin with LASF"), {}, FilePlace{file}});
   if (bytes.size() < smallestHeader)
-    throw Error(file + ": ends within its header: the file is cut short, copy or export it again");
+    throw ShownError(
+        {Shown::tr("ends within its header: the file is cut short, copy or export it again"),
+         {},
+         FilePlace{file}});
   const int major = valueAt<std::uint8_t>(bytes.data() + 24);
   const int minor = valueAt<std::uint8_t>(bytes.data() + 25);
   if (major != 1 || minor > 4)
-    throw Error(file + ": is LAS " + std::to_string(major) + "." + std::to_string(minor) +
-                ", and versions 1.0 to 1.4 can be read: convert it to 1.4");
+    throw ShownError(
+        {Shown::tr("is LAS %1, and versions 1.0 to 1.4 can be read: convert it to 1.4"),
+         {std::to_string(major) + '.' + std::to_string(minor)},
+         FilePlace{file}});
   LasHeader header;
   header.minorVersion = minor;
   header.size = valueAt<std::uint16_t>(bytes.data() + 94);

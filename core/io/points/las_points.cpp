@@ -59,9 +59,9 @@ ImportedPoints LasPoints::finish(const std::string& file) && {
   ImportedPoints result{{std::move(points_).finish(false), {}}, header_.count};
   dropEmptyColumns(result.value);
   if (withheld_ > 0)
-    result.notes.push_back(file + ": " + std::to_string(withheld_) + " of " +
-                           std::to_string(header_.count) +
-                           " points are flagged as withheld and are left out");
+    result.notes.push_back({Shown::tr("%1 of %2 points are flagged as withheld and are left out"),
+                            {std::to_string(withheld_), std::to_string(header_.count)},
+                            FilePlace{file}});
   return result;
 }
 

@@ -1,8 +1,7 @@
 #include "core/io/points/laz.h"
 
-#include "core/base/counted.h"
-#include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/shown_message.h"
 #include "core/io/points/copc_octree.h"
 #include "core/io/points/las_points.h"
 #include "core/io/points/laz_layout.h"
@@ -31,10 +30,11 @@ void checkPackedPromise(const std::string& file, const LasHeader& header, std::s
   constexpr std::uint64_t fineInAByte = 32; // scans have less than one
   const std::uint64_t most = std::max(alwaysFine, fineInAByte * bytes);
   if (header.count > most)
-    throw Error(file + ": its header promises " + counted(header.count, "point") + ", but only " +
-                counted(bytes, "byte") +
-                " follow: the file is cut short or damaged, copy or export it again");
-  checkPointCount(file, header.count);
+    throw ShownError({Shown::tr("its header promises %1 points, but only %2 bytes follow: the file "
+                                "is cut short or damaged, copy or export it again"),
+                      {std::to_string(header.count), std::to_string(bytes)},
+                      FilePlace{file}});
+  checkPointCount(FilePlace{file}, header.count);
 }
 
 /// A chunk that is read, and what is known of its points.
@@ -134,8 +134,10 @@ void addChunks(std::span<const PlacedChunk> chunks, ByteSource& source, const Ch
   for (std::size_t i = 0; i < chunks.size(); ++i) {
     progress.check();
     if (!decoded[i])
-      throw Error(file + ": its points from byte " + std::to_string(chunks[i].chunk.start) +
-                  " on cannot be unpacked: the file is damaged, copy or export it again");
+      throw ShownError({Shown::tr("its points from byte %1 on cannot be unpacked: the file is "
+                                  "damaged, copy or export it again"),
+                        {std::to_string(chunks[i].chunk.start)},
+                        FilePlace{file}});
     chooser.goTo(chunks[i].place, chunks[i].level);
     for (const LasPoint& point : *decoded[i])
       points.add(point);
@@ -150,7 +152,9 @@ ImportedPoints readLaz(std::istream& in, const std::string& file, const ReadOpti
   ByteSource source(in);
   const std::string head = source.read(0, longestLasHeader);
   const LasHeader header = readLasHeader(head, source.size(), file);
-  if (!isLaz(head)) throw Error(file + ": is LAS, not compressed (LAZ): name it so, as a.las");
+  if (!isLaz(head))
+    throw ShownError(
+        {Shown::tr("is LAS, not compressed (LAZ): name it so, as a.las"), {}, FilePlace{file}});
   checkPackedPromise(file, header, source.size() - header.pointStart);
   const LazLayout layout = readLazLayout(source, header, file);
   const std::vector<CopcNode> nodes =

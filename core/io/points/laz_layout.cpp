@@ -1,6 +1,6 @@
 #include "core/io/points/laz_layout.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/io/bytes/scalar.h"
 #include "core/io/points/integer_decoder.h"
 #include "core/io/points/range_decoder.h"
@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -24,14 +25,9 @@ struct LazRecord {
 
 enum Compressor : std::uint16_t { pointwise = 1, pointwiseChunked = 2, layeredChunked = 3 };
 
-Error damagedLaz(const std::string& file, const std::string& what) {
-  return Error{file + ": " + what + ": the file is cut short or damaged, copy or export it again"};
-}
-
-/// What can always be done: LASzip reads whatever it once wrote.
-Error unreadableLaz(const std::string& file, const std::string& what) {
-  return Error{file + ": " + what + ": unpack it to LAS, as by 'laszip -i " + file +
-               " -o unpacked.las'"};
+ShownError damagedLaz(const std::string& file, const char* sentence,
+                      std::vector<std::string> values = {}) {
+  return ShownError({sentence, std::move(values), FilePlace{file}});
 }
 
 LazRecord lazRecordOf(std::string_view bytes, const std::string& file) {
@@ -41,7 +37,8 @@ LazRecord lazRecordOf(std::string_view bytes, const std::string& file) {
   const std::size_t count =
       bytes.size() < itemsStart ? 0 : valueAt<std::uint16_t>(bytes.data() + itemsStart - 2);
   if (count == 0 || bytes.size() < itemsStart + count * itemSize)
-    throw damagedLaz(file, "ends within its record of LASzip");
+    throw damagedLaz(file, Shown::tr("ends within its record of LASzip: the file is cut short or "
+                                     "damaged, copy or export it again"));
   record.compressor = valueAt<std::uint16_t>(bytes.data());
   record.coder = valueAt<std::uint16_t>(bytes.data() + 2);
   record.chunkSize = valueAt<std::uint32_t>(bytes.data() + 12);
@@ -105,9 +102,11 @@ void checkItems(const std::vector<LazItem>& items, const LasHeader& header,
         return item.type == type && item.size == sizeOf(type, extraBytes);
       });
   if (!isAsExpected)
-    throw damagedLaz(file, "says of what its points consist, but not as points of format " +
-                               std::to_string(header.format) + " with " +
-                               std::to_string(header.pointLength) + " bytes do");
+    throw damagedLaz(
+        file,
+        Shown::tr("says of what its points consist, but not as points of format %1 with %2 bytes "
+                  "do: the file is cut short or damaged, copy or export it again"),
+        {std::to_string(header.format), std::to_string(header.pointLength)});
 }
 
 bool isReadable(const LazItem& item) {
@@ -126,24 +125,40 @@ bool isReadable(const LazItem& item) {
   }
 }
 
-void checkRecord(const LazRecord& record, const LasHeader& header, const std::string& file) {
+/// Refuses other methods, and says what can always be done: LASzip reads whatever it once wrote.
+void checkCompression(const LazRecord& record, const std::string& file) {
   if (record.compressor < pointwise || record.compressor > layeredChunked)
-    throw unreadableLaz(file, "is compressed by a method of number " +
-                                  std::to_string(record.compressor) + ", and 1 to 3 can be read");
+    throw ShownError({Shown::tr("is compressed by a method of number %1, and 1 to 3 can be read: "
+                                "unpack it to LAS, as by 'laszip -i %2 -o unpacked.las'"),
+                      {std::to_string(record.compressor), file},
+                      FilePlace{file}});
   if (record.coder != 0)
-    throw unreadableLaz(file, "is compressed by a coder of number " + std::to_string(record.coder) +
-                                  ", and 0 can be read");
-  checkItems(record.items, header, file);
-  for (const LazItem& item : record.items)
+    throw ShownError({Shown::tr("is compressed by a coder of number %1, and 0 can be read: unpack "
+                                "it to LAS, as by 'laszip -i %2 -o unpacked.las'"),
+                      {std::to_string(record.coder), file},
+                      FilePlace{file}});
+}
+
+void checkVersions(const std::vector<LazItem>& items, const std::string& file) {
+  for (const LazItem& item : items)
     if (!isReadable(item))
-      throw unreadableLaz(file, "has parts of points (item " +
-                                    std::to_string(static_cast<int>(item.type)) +
-                                    ") that are compressed in version " +
-                                    std::to_string(item.version) + ", which cannot be read");
+      throw ShownError(
+          {Shown::tr("has parts of points (item %1) that are compressed in version %2, which "
+                     "cannot be read: unpack it to LAS, as by 'laszip -i %3 -o unpacked.las'"),
+           {std::to_string(static_cast<int>(item.type)), std::to_string(item.version), file},
+           FilePlace{file}});
+}
+
+void checkRecord(const LazRecord& record, const LasHeader& header, const std::string& file) {
+  checkCompression(record, file);
+  checkItems(record.items, header, file);
+  checkVersions(record.items, file);
   if ((record.compressor == layeredChunked) != (header.format >= 6))
-    throw damagedLaz(file, "says its points of format " + std::to_string(header.format) +
-                               " are compressed by method " + std::to_string(record.compressor) +
-                               ", which is for other formats");
+    throw damagedLaz(
+        file,
+        Shown::tr("says its points of format %1 are compressed by method %2, which is for other "
+                  "formats: the file is cut short or damaged, copy or export it again"),
+        {std::to_string(header.format), std::to_string(record.compressor)});
 }
 
 constexpr std::size_t tableHeader = 8; // version, and how many chunks are listed
@@ -156,13 +171,18 @@ std::uint64_t chunkTableStart(ByteSource& source, const LasHeader& header,
   const std::uint64_t least = header.pointStart + offsetSize;
   const auto placeAt = [&](std::uint64_t start) {
     const std::string bytes = source.read(start, offsetSize);
-    if (bytes.size() < offsetSize) throw damagedLaz(file, "ends before its first point");
+    if (bytes.size() < offsetSize)
+      throw damagedLaz(file,
+                       espalier::Shown::tr("ends before its first point: the file is cut short or "
+                                           "damaged, copy or export it again"));
     return valueAt<std::uint64_t>(bytes.data());
   };
   auto start = placeAt(header.pointStart);
   if (start == ~std::uint64_t{0}) start = placeAt(source.size() - offsetSize);
   if (start < least || start > source.size() || source.size() - start < tableHeader)
-    throw damagedLaz(file, "has no table of its chunks of points where it should be");
+    throw damagedLaz(
+        file, espalier::Shown::tr("has no table of its chunks of points where it should be: the "
+                                  "file is cut short or damaged, copy or export it again"));
   return start;
 }
 
@@ -226,8 +246,10 @@ std::vector<LazChunk> chunksOf(ByteSource& source, const LazRecord& record, cons
   try {
     return tabledChunks(source, tableStart, header, record.chunkSize);
   } catch (const DamagedStream&) {
-    throw damagedLaz(file, "has a table of chunks that does not fit its " +
-                               std::to_string(header.count) + " points");
+    throw damagedLaz(file,
+                     Shown::tr("has a table of chunks that does not fit its %1 points: the file is "
+                               "cut short or damaged, copy or export it again"),
+                     {std::to_string(header.count)});
   }
 }
 
@@ -238,7 +260,8 @@ LazLayout readLazLayout(ByteSource& source, const LasHeader& header, const std::
   const std::string head = source.read(0, header.pointStart);
   const auto bytes = lasRecord(head, header, "laszip encoded", lazRecordId);
   if (bytes.data() == nullptr)
-    throw damagedLaz(file, "has no record of LASzip on how its points are compressed");
+    throw damagedLaz(file, Shown::tr("has no record of LASzip on how its points are compressed: "
+                                     "the file is cut short or damaged, copy or export it again"));
   const LazRecord record = lazRecordOf(bytes, file);
   checkRecord(record, header, file);
   LazLayout layout;

@@ -1,7 +1,6 @@
 #include "core/io/points/pcd.h"
 
-#include "core/base/counted.h"
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/io/bytes/byte_stream.h"
 #include "core/io/bytes/line_stream.h"
@@ -42,7 +41,8 @@ std::vector<PointField> rolesOf(const PcdHeader& header, const std::string& file
   for (const auto& [role, name] : {std::pair{PointField::x, "x"}, std::pair{PointField::y, "y"},
                                    std::pair{PointField::z, "z"}})
     if (!taken[indexOf(role)])
-      throw Error(file + ": has no field '" + name + "': export it with x, y and z");
+      throw ShownError(
+          {Shown::tr("has no field '%1': export it with x, y and z"), {name}, FilePlace{file}});
   return roles;
 }
 
@@ -63,15 +63,25 @@ std::vector<Column> columnsOf(const PcdHeader& header, const std::vector<PointFi
   return columns;
 }
 
+ShownError noNumber(std::string_view word, const Column& column, const FilePlace& where) {
+  const std::string value = std::to_string(column.value + 1);
+  if (word.empty())
+    return ShownError(
+        {Shown::tr("expected a number as value %1, found the end of the line"), {value}, where});
+  return ShownError(
+      {Shown::tr("expected a number as value %1, found %2"), {value, inQuotes(word)}, where});
+}
+
 void readAscii(LineStream lines, const PcdHeader& header, const std::vector<Column>& columns,
                const std::string& file, PointCollector& points, const Progress& progress) {
   PointValues values{};
   for (std::uint64_t row = 0; row < header.points;) {
     const auto line = lines.next();
     if (!line)
-      throw Error(file + ": ends after " + std::to_string(row) + " of " +
-                  std::to_string(header.points) +
-                  " points: it is cut short, copy or export it again");
+      throw ShownError(
+          {Shown::tr("ends after %1 of %2 points: it is cut short, copy or export it again"),
+           {std::to_string(row), std::to_string(header.points)},
+           FilePlace{file}});
     std::string_view rest = *line;
     if (trimmed(rest).empty()) continue;
     if (row++ % 65536 == 0)
@@ -82,10 +92,7 @@ void readAscii(LineStream lines, const PcdHeader& header, const std::vector<Colu
       for (; read <= column.value; ++read)
         word = nextWord(rest);
       const auto number = numberIn(word);
-      if (!number)
-        throw Error(place(file, header.lines + lines.number()) + "expected a number as value " +
-                    std::to_string(column.value + 1) + ", found " +
-                    (word.empty() ? "the end of the line" : inQuotes(word)));
+      if (!number) throw noNumber(word, column, {file, header.lines + lines.number()});
       values[indexOf(column.role)] =
           column.role == PointField::packedColor ? packedColor(*number, column.type) : *number;
     }
@@ -124,26 +131,35 @@ void refuseBomb(const std::string& file, const PcdHeader& header, std::uint64_t 
   if (unpacked <= freeBytes + mostBytes * packed &&
       header.points <= freePoints + mostPoints * packed)
     return;
-  throw Error(file + ": its " + std::to_string(packed) +
-              " bytes of compressed data would unpack to " + std::to_string(unpacked) +
-              " bytes of " + counted(header.points, "point") +
-              ", as of no scan: export it again, not compressed");
+  throw ShownError(
+      {Shown::tr("its %1 bytes of compressed data would unpack to %2 bytes of %3 points, as of no "
+                 "scan: export it again, not compressed"),
+       {std::to_string(packed), std::to_string(unpacked), std::to_string(header.points)},
+       FilePlace{file}});
 }
 
 /// The data of a compressed file, unpacked: all values of the first field, then of the second ...
 std::string unpacked(std::string_view data, const PcdHeader& header, const std::string& file) {
   constexpr std::size_t sizes = 8; // two sizes of 32 bits come first
-  if (data.size() < sizes) throw Error(file + ": ends before its data: it is cut short");
+  if (data.size() < sizes)
+    throw ShownError(
+        {espalier::Shown::tr("ends before its data: it is cut short"), {}, FilePlace{file}});
   const auto packedSize = valueAt<std::uint32_t>(data.data());
   const auto size = valueAt<std::uint32_t>(data.data() + 4);
-  checkPromise(file, header.points, header.pointSize(), size);
+  checkPromise(FilePlace{file}, header.points, header.pointSize(), size);
   refuseBomb(file, header, packedSize, size);
   if (packedSize > data.size() - sizes)
-    throw Error(file + ": its header promises " + std::to_string(packedSize) +
-                " bytes of compressed data, but only " + std::to_string(data.size() - sizes) +
-                " follow: the file is cut short, copy or export it again");
+    throw ShownError(
+        {espalier::Shown::tr("its header promises %1 bytes of compressed data, but only %2 "
+                             "follow: the file is cut short, copy or export it again"),
+         {std::to_string(packedSize), std::to_string(data.size() - sizes)},
+         FilePlace{file}});
   auto bytes = unpackedLzf(data.substr(sizes, packedSize), size);
-  if (!bytes) throw Error(file + ": its compressed data is damaged: copy or export it again");
+  if (!bytes)
+    throw ShownError(
+        {espalier::Shown::tr("its compressed data is damaged: copy or export it again"),
+         {},
+         FilePlace{file}});
   return *std::move(bytes);
 }
 
@@ -169,7 +185,7 @@ ImportedPoints readPcd(std::istream& in, const std::string& file, const ReadOpti
   const std::vector<Column> columns = columnsOf(header, roles);
   PartChooser chooser(options);
   const auto collector = [&](std::uint64_t pointSize, std::uint64_t available) {
-    checkPromise(file, header.points, pointSize, available);
+    checkPromise(FilePlace{file}, header.points, pointSize, available);
     return PointCollector(roles, header.points, chooser);
   };
   const auto finished = [&](PointCollector points) {

@@ -1,6 +1,6 @@
 #include "core/io/points/pcd_header.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -13,21 +13,22 @@ namespace {
 
 struct Line {
   std::vector<std::string_view> words; // after the keyword
-  std::string where;
+  FilePlace where;
 };
 
 using Lines = std::map<std::string, Line, std::less<>>; // by keyword
 
-std::uint64_t wholeNumber(std::string_view word, const std::string& where) {
+std::uint64_t wholeNumber(std::string_view word, const FilePlace& where) {
   std::uint64_t value = 0;
   const char* end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
   if (word.empty() || stop != end || error != std::errc{})
-    throw Error(where + "expected a whole number, found " + inQuotes(word));
+    throw ShownError(
+        {espalier::Shown::tr("expected a whole number, found %1"), {inQuotes(word)}, where});
   return value;
 }
 
-ScalarType typeOf(char kind, std::uint64_t size, const std::string& where) {
+ScalarType typeOf(char kind, std::uint64_t size, const FilePlace& where) {
   const std::string name = kind + std::to_string(size);
   static const std::map<std::string, ScalarType, std::less<>> types = {
       {"I1", ScalarType::int8},    {"U1", ScalarType::uint8},  {"I2", ScalarType::int16},
@@ -37,14 +38,18 @@ ScalarType typeOf(char kind, std::uint64_t size, const std::string& where) {
   };
   const auto found = types.find(name);
   if (found == types.end())
-    throw Error(where + "a field of type " + inQuotes(name.substr(0, 1)) + " cannot have " +
-                std::to_string(size) + " bytes");
+    throw ShownError({size == 1 ? Shown::tr("a field of type %1 cannot have 1 byte")
+                                : Shown::tr("a field of type %1 cannot have %2 bytes"),
+                      {inQuotes(name.substr(0, 1)), std::to_string(size)},
+                      where});
   return found->second;
 }
 
 const Line& required(const Lines& lines, std::string_view keyword, const std::string& file) {
   const auto found = lines.find(keyword);
-  if (found == lines.end()) throw Error(file + ": its header has no line " + std::string(keyword));
+  if (found == lines.end())
+    throw ShownError(
+        {Shown::tr("its header has no line %1"), {std::string(keyword)}, FilePlace{file}});
   return found->second;
 }
 
@@ -53,8 +58,9 @@ const Line* perField(const Lines& lines, std::string_view keyword, std::size_t f
   const auto found = lines.find(keyword);
   if (found == lines.end()) return nullptr;
   if (found->second.words.size() != fields)
-    throw Error(found->second.where + "expected " + std::to_string(fields) +
-                " values, one per field, found " + std::to_string(found->second.words.size()));
+    throw ShownError({Shown::tr("expected %1 values, one per field, found %2"),
+                      {std::to_string(fields), std::to_string(found->second.words.size())},
+                      found->second.where});
   return &found->second;
 }
 
@@ -74,7 +80,8 @@ std::vector<PcdField> fieldsOf(const Lines& lines, const std::string& file) {
       const std::uint64_t count = wholeNumber(counts->words[i], counts->where);
       constexpr std::uint64_t most = 1 << 20; // descriptors have hundreds
       if (count > most)
-        throw Error(counts->where + "a field cannot have " + std::to_string(count) + " values");
+        throw ShownError(
+            {Shown::tr("a field cannot have %1 values"), {std::to_string(count)}, counts->where});
       field.count = static_cast<std::uint32_t>(count);
     }
     fields.push_back(field);
@@ -85,14 +92,17 @@ std::vector<PcdField> fieldsOf(const Lines& lines, const std::string& file) {
 std::uint64_t pointCount(const Lines& lines, const std::string& file) {
   const auto number = [&](std::string_view keyword) {
     const Line& line = required(lines, keyword, file);
-    if (line.words.empty()) throw Error(line.where + "expected a whole number");
+    if (line.words.empty())
+      throw ShownError({espalier::Shown::tr("expected a whole number"), {}, line.where});
     return wholeNumber(line.words.front(), line.where);
   };
   if (lines.contains("POINTS")) return number("POINTS");
   const std::uint64_t width = number("WIDTH");
   const std::uint64_t height = number("HEIGHT");
   if (height != 0 && width > UINT64_MAX / height)
-    throw Error(required(lines, "WIDTH", file).where + "WIDTH times HEIGHT is beyond any file");
+    throw ShownError({espalier::Shown::tr("WIDTH times HEIGHT is beyond any file"),
+                      {},
+                      required(lines, "WIDTH", file).where});
   return width * height;
 }
 
@@ -101,8 +111,10 @@ PcdData dataOf(const Line& line) {
   if (kind == "ascii") return PcdData::ascii;
   if (kind == "binary") return PcdData::binary;
   if (kind == "binary_compressed") return PcdData::compressed;
-  throw Error(line.where + "data of kind " + inQuotes(kind) +
-              " is unknown: expected ascii, binary or binary_compressed");
+  throw ShownError(
+      {Shown::tr("data of kind %1 is unknown: expected ascii, binary or binary_compressed"),
+       {inQuotes(kind)},
+       line.where});
 }
 
 } // namespace
@@ -122,7 +134,7 @@ PcdHeader readPcdHeader(std::string_view bytes, const std::string& file) {
     const std::string_view keyword = nextWord(rest);
     if (keyword.empty() || keyword.starts_with('#')) continue;
     Line& line = lines[std::string(keyword)];
-    line.where = place(file, reader.number());
+    line.where = {file, reader.number()};
     line.words.clear();
     for (auto word = nextWord(rest); !word.empty(); word = nextWord(rest))
       line.words.push_back(word);
@@ -135,7 +147,9 @@ PcdHeader readPcdHeader(std::string_view bytes, const std::string& file) {
     header.lines = reader.number();
     return header;
   }
-  throw Error(file + ": its header has no line DATA: it is no PCD file, or is cut short");
+  throw ShownError({Shown::tr("its header has no line DATA: it is no PCD file, or is cut short"),
+                    {},
+                    FilePlace{file}});
 }
 
 } // namespace espalier

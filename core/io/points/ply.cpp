@@ -1,7 +1,6 @@
 #include "core/io/points/ply.h"
 
-#include "core/base/counted.h"
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/cloud/file_order.h"
 #include "core/io/bytes/byte_stream.h"
@@ -31,8 +30,10 @@ std::vector<PointField> fieldsOf(const PlyElement& element, const std::string& f
   for (const auto& [field, name] : {std::pair{PointField::x, "x"}, std::pair{PointField::y, "y"},
                                     std::pair{PointField::z, "z"}})
     if (!taken[indexOf(field)])
-      throw Error(file + ": its element 'vertex' has no property '" + name +
-                  "': export it with x, y and z");
+      throw ShownError(
+          {Shown::tr("its element 'vertex' has no property '%1': export it with x, y and z"),
+           {name},
+           FilePlace{file}});
   return fields;
 }
 
@@ -45,9 +46,11 @@ bool hasFractions(const PlyElement& element, const std::vector<PointField>& fiel
 
 [[noreturn]] void failCutShort(const std::string& file, const PlyElement& element,
                                std::uint64_t row) {
-  throw Error(file + ": ends within " + element.name + " " + std::to_string(row + 1) + " of " +
-              std::to_string(element.count) +
-              ": the file is cut short or damaged, copy or export it again");
+  throw ShownError(
+      {Shown::tr(
+           "ends within %1 %2 of %3: the file is cut short or damaged, copy or export it again"),
+       {element.name, std::to_string(row + 1), std::to_string(element.count)},
+       FilePlace{file}});
 }
 
 /// The binary rows of a PLY file, one after another.
@@ -85,7 +88,7 @@ public:
       for (std::uint64_t row = 0; row < element.count; ++row)
         read(element, row, {}, unused);
     } else if (element.leastSize() > 0) {
-      checkPromise(file_, element.count, element.leastSize(), bytes_.left());
+      checkPromise(FilePlace{file_}, element.count, element.leastSize(), bytes_.left());
       bytes_.skip(element.count * element.leastSize());
     }
   }
@@ -140,11 +143,12 @@ private:
     const std::string_view word = nextWord(rest);
     const auto number = numberIn(word);
     if (number) return *number;
-    const std::string where = place(file_, linesBefore_ + lines_.number());
+    const FilePlace where{file_, linesBefore_ + lines_.number()};
     if (word.empty())
-      throw Error(where + "expected " + std::to_string(element.properties.size()) +
-                  " numbers, found " + std::to_string(found));
-    throw Error(where + "expected a number, found " + inQuotes(word));
+      throw ShownError({Shown::tr("expected %1 numbers, found %2"),
+                        {std::to_string(element.properties.size()), std::to_string(found)},
+                        where});
+    throw ShownError({Shown::tr("expected a number, found %1"), {inQuotes(word)}, where});
   }
 
   LineStream lines_;
@@ -158,7 +162,7 @@ RawPoints readVertices(Rows& rows, const PlyElement& vertices, std::vector<Stati
                        std::uint64_t leastSize, const std::string& file, const ReadOptions& options,
                        const Progress& progress) {
   const std::vector<PointField> fields = fieldsOf(vertices, file);
-  checkPromise(file, vertices.count, leastSize, rows.left());
+  checkPromise(FilePlace{file}, vertices.count, leastSize, rows.left());
   PartChooser chooser(options);
   PointCollector points(fields, vertices.count, chooser);
   PointValues values{};
@@ -171,11 +175,14 @@ RawPoints readVertices(Rows& rows, const PlyElement& vertices, std::vector<Stati
   return std::move(points).finish(hasFractions(vertices, fields), std::move(stations));
 }
 
-std::vector<std::string> notesOn(const PlyHeader& header, const std::string& file) {
+std::vector<ShownMessage> notesOn(const PlyHeader& header, const std::string& file) {
   for (const PlyElement& element : header.elements)
     if (element.name == "face" && element.count > 0)
-      return {file + ": is a mesh: " + counted(element.count, "face") +
-              " left out, its corners are taken as points"};
+      return {{element.count == 1
+                   ? Shown::tr("is a mesh: 1 face left out, its corners are taken as points")
+                   : Shown::tr("is a mesh: %1 faces left out, its corners are taken as points"),
+               {std::to_string(element.count)},
+               FilePlace{file}}};
   return {};
 }
 
@@ -193,7 +200,7 @@ ImportedPoints readPly(std::istream& in, const std::string& file, const ReadOpti
   const PlyHeader header = readPlyHeader(head, file);
   const auto vertices = std::ranges::find(header.elements, "vertex", &PlyElement::name);
   if (vertices == header.elements.end())
-    throw Error(file + ": has no element 'vertex', so no points");
+    throw ShownError({Shown::tr("has no element 'vertex', so no points"), {}, FilePlace{file}});
   const auto read = [&](auto rows, std::uint64_t leastSize) {
     std::for_each(header.elements.begin(), vertices, [&](const auto& other) { rows.skip(other); });
     return readVertices(rows, *vertices, stationsIn(header.comments), leastSize, file, options,

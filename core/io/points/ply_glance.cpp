@@ -1,5 +1,5 @@
 // What PLY files say of themselves.
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/io/points/ply_header.h"
 #include "core/io/points/point_collector.h"
@@ -90,7 +90,7 @@ PointGlance glanceAtPly(ByteSource& source, const std::string& file) {
   const PlyHeader header = readPlyHeader(source.read(0, longestPlyHeader), file);
   const auto vertices = std::ranges::find(header.elements, "vertex", &PlyElement::name);
   if (vertices == header.elements.end())
-    throw Error(file + ": has no element 'vertex', so no points");
+    throw ShownError({Shown::tr("has no element 'vertex', so no points"), {}, FilePlace{file}});
   PointGlance glance;
   glance.version = header.isAscii                     ? "text"
                    : header.order == std::endian::big ? "binary, big endian"

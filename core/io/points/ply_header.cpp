@@ -1,6 +1,6 @@
 #include "core/io/points/ply_header.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -25,47 +25,54 @@ constexpr auto namedTypes =
                               {"float", ScalarType::float32},  {"float32", ScalarType::float32},
                               {"double", ScalarType::float64}, {"float64", ScalarType::float64}});
 
-ScalarType typeNamed(std::string_view name, const std::string& where) {
+ScalarType typeNamed(std::string_view name, const FilePlace& where) {
   const auto* found = std::ranges::find(namedTypes, name, &NamedType::first);
   if (found == namedTypes.end())
-    throw Error(where + inQuotes(name) + " is no type of PLY: expected one as 'float' or 'uchar'");
+    throw ShownError({Shown::tr("%1 is no type of PLY: expected one as 'float' or 'uchar'"),
+                      {inQuotes(name)},
+                      where});
   return found->second;
 }
 
-void readFormat(std::string_view rest, PlyHeader& header, const std::string& where) {
+void readFormat(std::string_view rest, PlyHeader& header, const FilePlace& where) {
   const std::string_view format = nextWord(rest);
   if (format == "binary_big_endian")
     header.order = std::endian::big;
   else if (format != "binary_little_endian" && format != "ascii")
-    throw Error(where + "the format " + inQuotes(format) +
-                " is unknown: expected ascii, binary_little_endian or binary_big_endian");
+    throw ShownError(
+        {Shown::tr(
+             "the format %1 is unknown: expected ascii, binary_little_endian or binary_big_endian"),
+         {inQuotes(format)},
+         where});
   header.isAscii = format == "ascii";
 }
 
-PlyElement elementOf(std::string_view rest, const std::string& where) {
+PlyElement elementOf(std::string_view rest, const FilePlace& where) {
   PlyElement element;
   element.name = nextWord(rest);
   const std::string_view count = nextWord(rest);
   const char* end = count.data() + count.size();
   const auto [stop, error] = std::from_chars(count.data(), end, element.count);
   if (count.empty() || stop != end || error != std::errc{})
-    throw Error(where + "expected a name and a count after 'element', found " + inQuotes(count) +
-                " for the count");
+    throw ShownError(
+        {Shown::tr("expected a name and a count after 'element', found %1 for the count"),
+         {inQuotes(count)},
+         where});
   return element;
 }
 
-PlyProperty propertyOf(std::string_view rest, const std::string& where) {
+PlyProperty propertyOf(std::string_view rest, const FilePlace& where) {
   PlyProperty property;
   std::string_view type = nextWord(rest);
   if (type == "list") {
     property.countType = typeNamed(nextWord(rest), where);
     if (isFloat(*property.countType))
-      throw Error(where + "the length of a list must be of an integer type");
+      throw ShownError({Shown::tr("the length of a list must be of an integer type"), {}, where});
     type = nextWord(rest);
   }
   property.type = typeNamed(type, where);
   property.name = nextWord(rest);
-  if (property.name.empty()) throw Error(where + "a property has no name");
+  if (property.name.empty()) throw ShownError({Shown::tr("a property has no name"), {}, where});
   return property;
 }
 
@@ -87,11 +94,12 @@ PlyHeader readPlyHeader(std::string_view bytes, const std::string& file) {
   LineReader lines(bytes);
   const auto first = lines.next();
   if (!first || trimmed(*first) != "ply")
-    throw Error(file + ": is no PLY file, its first line is not 'ply'");
+    throw ShownError(
+        {Shown::tr("is no PLY file, its first line is not 'ply'"), {}, FilePlace{file}});
   PlyHeader header;
   bool hasFormat = false;
   while (const auto line = lines.next()) {
-    const std::string where = place(file, lines.number());
+    const FilePlace where{file, lines.number()};
     std::string_view rest = *line;
     const std::string_view keyword = nextWord(rest);
     if (keyword == "format") {
@@ -100,20 +108,24 @@ PlyHeader readPlyHeader(std::string_view bytes, const std::string& file) {
     } else if (keyword == "element") {
       header.elements.push_back(elementOf(rest, where));
     } else if (keyword == "property") {
-      if (header.elements.empty()) throw Error(where + "a property stands before any element");
+      if (header.elements.empty())
+        throw ShownError({Shown::tr("a property stands before any element"), {}, where});
       header.elements.back().properties.push_back(propertyOf(rest, where));
     } else if (keyword == "end_header") {
-      if (!hasFormat) throw Error(where + "the header has no line 'format'");
+      if (!hasFormat) throw ShownError({Shown::tr("the header has no line 'format'"), {}, where});
       header.dataStart = lines.offset();
       header.lines = lines.number();
       return header;
     } else if (keyword == "comment") {
       header.comments.push_back(trimmed(rest));
     } else if (!keyword.empty() && keyword != "obj_info") {
-      throw Error(where + inQuotes(keyword) + " is unknown in the header of a PLY file");
+      throw ShownError(
+          {Shown::tr("%1 is unknown in the header of a PLY file"), {inQuotes(keyword)}, where});
     }
   }
-  throw Error(file + ": has no line 'end_header': it is cut short, copy or export it again");
+  throw ShownError({Shown::tr("has no line 'end_header': it is cut short, copy or export it again"),
+                    {},
+                    FilePlace{file}});
 }
 
 } // namespace espalier

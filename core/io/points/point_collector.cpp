@@ -1,7 +1,5 @@
 #include "core/io/points/point_collector.h"
 
-#include "core/base/counted.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -128,24 +126,30 @@ void dropEmptyColumns(RawPoints& points) {
     points.colors.clear();
 }
 
-void checkPromise(const std::string& file, std::uint64_t count, std::uint64_t size,
+void checkPromise(const FilePlace& where, std::uint64_t count, std::uint64_t size,
                   std::uint64_t available) {
   if (count > available / size)
-    throw Error(file + ": its header promises " + counted(count, "point") + " of at least " +
-                counted(size, "byte") + ", but only " + counted(available, "byte") +
-                " follow: the file is cut short or damaged, copy or export it again");
-  checkPointCount(file, count);
+    throw ShownError(
+        {Shown::tr("its header promises %1 points of at least %2 bytes, but only %3 bytes follow: "
+                   "the file is cut short or damaged, copy or export it again"),
+         {std::to_string(count), std::to_string(size), std::to_string(available)},
+         where});
+  checkPointCount(where, count);
 }
 
-Error becameShorter(const std::string& file) {
-  return Error{file +
-               ": became shorter while it was read: wait until it is complete, and try again"};
+ShownError becameShorter(const std::string& file) {
+  return ShownError(
+      {Shown::tr("became shorter while it was read: wait until it is complete, and try again"),
+       {},
+       FilePlace{file}});
 }
 
-void checkPointCount(const std::string& file, std::uint64_t count) {
+void checkPointCount(const FilePlace& where, std::uint64_t count) {
   if (count > std::numeric_limits<std::uint32_t>::max())
-    throw Error(file + ": holds " + std::to_string(count) +
-                " points, more than can be worked on at once: thin or split it");
+    throw ShownError(
+        {Shown::tr("holds %1 points, more than can be worked on at once: thin or split it"),
+         {std::to_string(count)},
+         where});
 }
 
 } // namespace espalier

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/cloud/point_cloud.h"
 #include "core/io/points/part_chooser.h"
 #include "core/io/points/point_field.h"
@@ -65,18 +65,18 @@ void dropEmptyColumns(RawPoints& points);
 
 /// Checks the count in a header against the bytes that are there, before memory is taken for it.
 ///
-/// @param file      name for the message
+/// @param where     in the file it is promised, for the message
 /// @param count     points promised
 /// @param size      the least number of bytes of a point, > 0
 /// @param available bytes in which they should lie
 /// @throws Error if they do not fit, or are more than a PointCloud can hold
-void checkPromise(const std::string& file, std::uint64_t count, std::uint64_t size,
+void checkPromise(const FilePlace& where, std::uint64_t count, std::uint64_t size,
                   std::uint64_t available);
 
 /// What to say of a file that ends before its size when it was opened.
-[[nodiscard]] Error becameShorter(const std::string& file);
+[[nodiscard]] ShownError becameShorter(const std::string& file);
 
 /// @throws Error if a PointCloud cannot hold so many points
-void checkPointCount(const std::string& file, std::uint64_t count);
+void checkPointCount(const FilePlace& where, std::uint64_t count);
 
 } // namespace espalier

@@ -1,7 +1,6 @@
 #include "core/io/points/ptx.h"
 
-#include "core/base/counted.h"
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/io/bytes/line_stream.h"
 #include "core/io/points/point_collector.h"
@@ -82,9 +81,7 @@ private:
   void addPoint(const PtxHeader& header, std::uint64_t left);
   std::uint64_t sizeIn(double number) const;
   void readNumbers(std::size_t least, std::size_t most);
-  [[noreturn]] void fail(const std::string& what) const {
-    throw Error(place(file_, lines_.number()) + what);
-  }
+  [[nodiscard]] FilePlace here() const { return {file_, lines_.number()}; }
 
   LineStream lines_;
   const std::string& file_;
@@ -105,17 +102,22 @@ void PtxReader::readNumbers(std::size_t least, std::size_t most) {
     const std::string_view word = nextWord(rest);
     if (word.empty()) break;
     const auto number = numberIn(word);
-    if (!number) fail("expected a number, found " + inQuotes(word));
+    if (!number)
+      throw ShownError({Shown::tr("expected a number, found %1"), {inQuotes(word)}, here()});
     numbers_.push_back(*number);
   }
   if (numbers_.size() < least)
-    fail("expected " + counted(least, "number") + ", found " + std::to_string(numbers_.size()));
+    throw ShownError({Shown::tr("expected %1 numbers, found %2"),
+                      {std::to_string(least), std::to_string(numbers_.size())},
+                      here()});
 }
 
 std::uint64_t PtxReader::sizeIn(double number) const {
   if (!(number >= 0 && number <= std::numeric_limits<std::uint32_t>::max() &&
         std::floor(number) == number))
-    fail("expected a whole number of columns or rows, found " + inQuotes(trimmed(line_)));
+    throw ShownError({Shown::tr("expected a whole number of columns or rows, found %1"),
+                      {inQuotes(trimmed(line_))},
+                      here()});
   return static_cast<std::uint64_t>(number);
 }
 
@@ -125,8 +127,10 @@ PtxHeader PtxReader::readHeader() {
   Eigen::Matrix<double, 4, 3> matrix;
   for (std::size_t i = 0; i < numbersOfHeader.size(); ++i) {
     if (i > 0 && !advance())
-      throw Error(file_ + ": ends within the header of a block: it is cut short, copy or export it "
-                          "again");
+      throw ShownError(
+          {Shown::tr("ends within the header of a block: it is cut short, copy or export it again"),
+           {},
+           FilePlace{file_}});
     readNumbers(numbersOfHeader[i], numbersOfHeader[i]);
     if (i < sizes.size()) sizes[i] = sizeIn(numbers_[0]);
     if (i == scannerLine) scanner = {numbers_[0], numbers_[1], numbers_[2]};
@@ -140,7 +144,10 @@ PtxHeader PtxReader::readHeader() {
                          scanner.isZero(0) ? Eigen::Vector3d(matrix.row(3).transpose()) : scanner};
   const double volume = std::abs(header.turn.determinant());
   if (!(volume > 0) || !matrix.allFinite())
-    fail("the matrix that ends here makes all points flat: the header is damaged, export it again");
+    throw ShownError({Shown::tr("the matrix that ends here makes all points flat: the header is "
+                                "damaged, export it again"),
+                      {},
+                      here()});
   return header;
 }
 
@@ -148,14 +155,14 @@ void PtxReader::readBlock(StationPoints& stations) {
   const PtxHeader header = readHeader();
   constexpr std::size_t shortestLine = 5; // "0 0 0", of the last line
   constexpr std::size_t most = 7;
-  checkPromise(file_ + ", line " + std::to_string(lines_.number()), header.points, shortestLine,
-               lines_.size() - lines_.offset());
+  checkPromise(here(), header.points, shortestLine, lines_.size() - lines_.offset());
   points_.reset();
   for (std::uint64_t i = 0; i < header.points; ++i) {
     if (!advance())
-      throw Error(file_ + ": ends after " + std::to_string(i) + " of " +
-                  counted(header.points, "point") +
-                  " of its last block: it is cut short, copy or export it again");
+      throw ShownError({Shown::tr("ends after %1 of %2 points of its last block: it is cut short, "
+                                  "copy or export it again"),
+                        {std::to_string(i), std::to_string(header.points)},
+                        FilePlace{file_}});
     readNumbers(3, most);
     if (numbers_[0] == 0 && numbers_[1] == 0 && numbers_[2] == 0) {
       ++counts_.empty;
@@ -176,13 +183,16 @@ void PtxReader::addPoint(const PtxHeader& header, std::uint64_t left) {
   if (!points_) {
     fields_ = fieldsOfLine(numbers_.size());
     if (fields_.empty())
-      fail("expected x y z, intensity and red green blue, 4 or 7 numbers, found " +
-           std::to_string(numbers_.size()));
+      throw ShownError(
+          {Shown::tr("expected x y z, intensity and red green blue, 4 or 7 numbers, found %1"),
+           {std::to_string(numbers_.size())},
+           here()});
     points_.emplace(fields_, left, chooser_);
   }
   if (numbers_.size() != fields_.size())
-    fail("expected " + counted(fields_.size(), "number") + " as in the lines before, found " +
-         std::to_string(numbers_.size()));
+    throw ShownError({Shown::tr("expected %1 numbers as in the lines before, found %2"),
+                      {std::to_string(fields_.size()), std::to_string(numbers_.size())},
+                      here()});
   const Eigen::Vector3d position =
       header.turn * Eigen::Vector3d(numbers_[0], numbers_[1], numbers_[2]) + header.shift;
   std::copy_n(position.data(), 3, numbers_.begin());
@@ -219,9 +229,9 @@ ImportedPoints readPtx(std::istream& in, const std::string& file, const ReadOpti
     reader.readBlock(stations);
   ImportedPoints result{std::move(stations).finish(file), reader.counts().listed};
   if (const PtxCounts& counts = reader.counts(); counts.empty > 0)
-    result.notes.push_back(file + ": " + std::to_string(counts.empty) + " of " +
-                           counted(counts.listed, "point") +
-                           " have no return (0 0 0) and are left out");
+    result.notes.push_back({Shown::tr("%1 of %2 points have no return (0 0 0) and are left out"),
+                            {std::to_string(counts.empty), std::to_string(counts.listed)},
+                            FilePlace{file}});
   return result;
 }
 

@@ -1,5 +1,5 @@
 // What PTX files hold.
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/io/points/point_glances.h"
 #include "core/io/points/point_samples.h"
@@ -35,7 +35,9 @@ void addColumns(std::size_t numbers, PointGlance& glance) {
 PointGlance glanceAtPtx(ByteSource& source, const std::string& file) {
   const std::string head = source.read(0, ptxHeadBytes);
   if (!isPtx(head))
-    throw Error(place(file, 1) + "expected the header of a block of PTX, ten lines of numbers");
+    throw ShownError({Shown::tr("expected the header of a block of PTX, ten lines of numbers"),
+                      {},
+                      FilePlace{file, 1}});
   PointGlance glance;
   std::array<std::vector<double>, linesOfPtxHeader> header;
   LineReader lines(head);

@@ -1,7 +1,6 @@
 #include "core/io/points/station_points.h"
 
 #include "core/base/coordinates.h"
-#include "core/base/counted.h"
 #include "core/io/points/point_collector.h"
 
 #include <algorithm>
@@ -19,12 +18,6 @@ void appendOrFill(std::vector<Value>& all, const std::vector<Value>& values, std
   all.resize(before); // those of stations that had none
   all.insert(all.end(), values.begin(), values.end());
   all.resize(before + points);
-}
-
-std::string lackNote(const std::string& file, std::size_t lacking, std::size_t stations,
-                     const char* what) {
-  return file + ": no " + what + " in " + std::to_string(lacking) + " of " +
-         counted(stations, "station");
 }
 
 } // namespace
@@ -70,15 +63,20 @@ Imported<RawPoints> StationPoints::finish(const std::string& file) && {
   else
     result.value.stationOf.clear();
   if (chooser_.isPart()) dropEmptyStations(result.value);
+  const std::string stations = std::to_string(stations_);
   if (stations_ > 1)
-    result.notes.push_back(file + ": holds " + counted(stations_, "station") +
-                           ", which are joined into one set of points");
+    result.notes.push_back({Shown::tr("holds %1 stations, which are joined into one set of points"),
+                            {stations},
+                            FilePlace{file}});
   if (uncolored_ > 0 && !points.colors.empty())
-    result.notes.push_back(lackNote(file, uncolored_, stations_, "colors") +
-                           ": points there are black");
+    result.notes.push_back({Shown::tr("no colors in %1 of %2 stations: points there are black"),
+                            {std::to_string(uncolored_), stations},
+                            FilePlace{file}});
   if (unintense_ > 0 && !points.intensities.empty())
-    result.notes.push_back(lackNote(file, unintense_, stations_, "intensities") +
-                           ": those of points there are 0");
+    result.notes.push_back(
+        {Shown::tr("no intensities in %1 of %2 stations: those of points there are 0"),
+         {std::to_string(unintense_), stations},
+         FilePlace{file}});
   return result;
 }
 

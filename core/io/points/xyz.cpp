@@ -1,7 +1,6 @@
 #include "core/io/points/xyz.h"
 
-#include "core/base/counted.h"
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/cloud/file_order.h"
 #include "core/io/bytes/line_stream.h"
@@ -30,28 +29,32 @@ bool readRow(std::string_view line, const XyzLayout& layout, const std::string& 
     if (value) {
       values[indexOf(layout.columns[i])] = *value;
     } else if (layout.columns[i] != PointField::none || field.empty()) {
-      const std::string where = place(file, number);
-      if (!field.empty()) throw Error(where + "expected a number, found " + inQuotes(field));
+      const FilePlace where{file, number};
+      if (!field.empty())
+        throw ShownError({Shown::tr("expected a number, found %1"), {inQuotes(field)}, where});
       const bool isCount = trimmed(line).find_first_not_of("0123456789") == std::string_view::npos;
       if (i == 1 && isCount) return false;
-      throw Error(where + "expected " + std::to_string(layout.needed) + " numbers, found " +
-                  std::to_string(i));
+      throw ShownError({Shown::tr("expected %1 numbers, found %2"),
+                        {std::to_string(layout.needed), std::to_string(i)},
+                        where});
     }
   }
   return true;
 }
 
-std::vector<std::string> notesOn(const XyzLayout& layout, bool areNamed, std::uint64_t points,
-                                 const std::string& file) {
-  std::vector<std::string> notes;
+std::vector<ShownMessage> notesOn(const XyzLayout& layout, bool areNamed, std::uint64_t points,
+                                  const std::string& file) {
+  std::vector<ShownMessage> notes;
   const auto leftOut = std::ranges::count(layout.columns, PointField::none);
   if (leftOut > 0 && !areNamed)
-    notes.push_back(file + ": " + std::to_string(leftOut) + " of " +
-                    std::to_string(layout.columns.size()) +
-                    " columns are left out; a first line as 'x y z intensity r g b' names columns");
+    notes.push_back({Shown::tr("%1 of %2 columns are left out; a first line as 'x y z intensity r "
+                               "g b' names columns"),
+                     {std::to_string(leftOut), std::to_string(layout.columns.size())},
+                     FilePlace{file}});
   if (layout.count && *layout.count > points)
-    notes.push_back(file + ": promises " + counted(*layout.count, "point") + ", but lists " +
-                    std::to_string(points));
+    notes.push_back({Shown::tr("promises %1 points, but lists %2"),
+                     {std::to_string(*layout.count), std::to_string(points)},
+                     FilePlace{file}});
   return notes;
 }
 
@@ -118,9 +121,11 @@ ImportedPoints readXyz(std::istream& in, const std::string& file, const ReadOpti
   const XyzLayout layout = xyzLayoutOf(source, file, options.columns);
   if (layout.columns.empty()) {
     if (layout.headerLine > 0)
-      throw Error(place(file, layout.headerLine) +
-                  "expected 3 numbers, found text, and no points follow");
-    throw Error(file + ": holds no points, a line each of at least 3 numbers");
+      throw ShownError({Shown::tr("expected 3 numbers, found text, and no points follow"),
+                        {},
+                        FilePlace{file, layout.headerLine}});
+    throw ShownError(
+        {Shown::tr("holds no points, a line each of at least 3 numbers"), {}, FilePlace{file}});
   }
   constexpr std::size_t shortestLine = 6; // "0 0 0\n"
   PartChooser chooser(options);

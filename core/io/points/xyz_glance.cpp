@@ -1,5 +1,5 @@
 // What text files of points hold.
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/io/points/point_glances.h"
 #include "core/io/points/point_samples.h"
@@ -23,7 +23,8 @@ PointGlance glanceAtXyz(ByteSource& source, const std::string& file,
                         const std::vector<PointField>& columns) {
   const XyzLayout layout = xyzLayoutOf(source, file, columns);
   if (layout.columns.empty())
-    throw Error(file + ": holds no points, a line each of at least 3 numbers");
+    throw ShownError(
+        {Shown::tr("holds no points, a line each of at least 3 numbers"), {}, FilePlace{file}});
   PointGlance glance;
   glance.version = separatorName(layout);
   for (std::size_t i = 0; i < layout.columns.size(); ++i) {

@@ -1,7 +1,6 @@
 #include "core/io/points/xyz_layout.h"
 
-#include "core/base/counted.h"
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/io/points/point_collector.h"
 
@@ -198,15 +197,20 @@ bool isFirstPoint(std::string_view line, const XyzLayout& layout) {
 
 void requireText(std::string_view head, const std::string& file) {
   if (head.find('\0') != std::string_view::npos)
-    throw Error(file + ": is no plain text, though its name says so: export it as text, or give it "
-                       "the extension of its format");
+    throw ShownError({Shown::tr("is no plain text, though its name says so: export it as text, or "
+                                "give it the extension of its format"),
+                      {},
+                      FilePlace{file}});
 }
 
 void requireNumberOfColumns(std::size_t named, std::size_t count, const std::string& file) {
   if (named != count)
-    throw Error(file + ": " + counted(named, "column is", "columns are") +
-                " named, but its first line of points has " + std::to_string(count) +
-                ": name each, with - for those to leave out");
+    throw ShownError({named == 1 ? Shown::tr("1 column is named, but its first line of points has "
+                                             "%2: name each, with - for those to leave out")
+                                 : Shown::tr("%1 columns are named, but its first line of points "
+                                             "has %2: name each, with - for those to leave out"),
+                      {std::to_string(named), std::to_string(count)},
+                      FilePlace{file}});
 }
 
 } // namespace

@@ -1,7 +1,6 @@
 #include "core/io/qsm/mat_file.h"
 
-#include "core/base/counted.h"
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/io/bytes/byte_reader.h"
 
 #include <algorithm>
@@ -35,7 +34,8 @@ Element takeElement(ByteReader& in, std::endian order) {
   if (word >> 16 != 0) { // up to 4 bytes of data lie in the tag itself
     const std::uint32_t size = word >> 16;
     const std::string_view data = in.take(4);
-    if (size > data.size()) in.fail("has a short element of more than 4 bytes: it is damaged");
+    if (size > data.size())
+      in.fail({espalier::Shown::tr("has a short element of more than 4 bytes: it is damaged")});
     return {word & 0xffff, data.substr(0, size)};
   }
   const auto size = in.value<std::uint32_t>(order);
@@ -114,16 +114,18 @@ private:
 std::vector<std::pair<std::string, std::string_view>> takeFields(ByteReader& in, std::endian order,
                                                                  bool isEmpty) {
   const Element size = takeElement(in, order);
-  if (size.data.size() != 4) in.fail("gives no size of the names of its fields: it is damaged");
+  if (size.data.size() != 4)
+    in.fail({espalier::Shown::tr("gives no size of the names of its fields: it is damaged")});
   const auto nameSize = valueAt<std::uint32_t>(size.data.data(), order);
   const std::string_view names = takeElement(in, order).data;
   if (nameSize == 0 || names.size() % nameSize != 0)
-    in.fail("has names of fields that are cut short: it is damaged");
+    in.fail({espalier::Shown::tr("has names of fields that are cut short: it is damaged")});
   std::vector<std::pair<std::string, std::string_view>> fields;
   for (std::size_t at = 0; !isEmpty && at < names.size(); at += nameSize) {
     const std::string_view name = names.substr(at, nameSize);
     const Element element = takeElement(in, order);
-    if (element.type != matrixType) in.fail("has a field that is no matrix: it is damaged");
+    if (element.type != matrixType)
+      in.fail({espalier::Shown::tr("has a field that is no matrix: it is damaged")});
     fields.emplace_back(name.substr(0, name.find('\0')), element.data);
   }
   return fields;
@@ -133,57 +135,118 @@ std::vector<double> takeValues(ByteReader& in, std::endian order, const MatArray
   if (array.rows == 0 || array.columns == 0) return {};
   const Element element = takeElement(in, order);
   const auto type = scalarTypeOf(element.type);
-  if (!type) in.fail("has numbers of a type that is not known: it is damaged");
+  if (!type)
+    in.fail({espalier::Shown::tr("has numbers of a type that is not known: it is damaged")});
   const std::size_t size = sizeOf(*type);
   const std::uint64_t count = element.data.size() / size;
   if (element.data.size() % size != 0 || array.columns > count / array.rows ||
       array.rows * array.columns != count)
-    in.fail("has " + counted(count, "number") + ", expected " + std::to_string(array.rows) + " x " +
-            std::to_string(array.columns) + ": it is damaged");
+    in.fail({count == 1 ? espalier::Shown::tr("has 1 number, expected %2 x %3: it is damaged")
+                        : espalier::Shown::tr("has %1 numbers, expected %2 x %3: it is damaged"),
+             {std::to_string(count), std::to_string(array.rows), std::to_string(array.columns)}});
   if (count > mostNumbers)
-    in.fail("has " + std::to_string(count) +
-            " numbers in one array, more than any model: at most " + std::to_string(mostNumbers) +
-            " are read");
+    in.fail({espalier::Shown::tr(
+                 "has %1 numbers in one array, more than any model: at most %2 are read"),
+             {std::to_string(count), std::to_string(mostNumbers)}});
   std::vector<double> values(count);
   for (std::size_t i = 0; i < count; ++i)
     values[i] = scalarAt(element.data.data() + i * size, *type, order);
   return values;
 }
 
+void takeSize(ByteReader& in, std::endian order, MatArray& array) {
+  const std::string_view sizes = takeElement(in, order).data;
+  if (sizes.size() < 8 || sizes.size() % 4 != 0)
+    in.fail({espalier::Shown::tr("has a variable without a size: it is damaged")});
+  array.rows = valueAt<std::uint32_t>(sizes.data(), order);
+  array.columns = 1;
+  for (std::size_t at = 4; at < sizes.size(); at += 4) {
+    const std::uint64_t size = valueAt<std::uint32_t>(sizes.data() + at, order);
+    if (size > 0 && array.columns > std::numeric_limits<std::uint32_t>::max() / size)
+      in.fail(
+          {espalier::Shown::tr("has a variable of too many elements to be true: it is damaged")});
+    array.columns *= size;
+  }
+}
+
+MatArray takeArray(ByteReader& in, std::endian order) {
+  MatArray array;
+  const std::string_view flags = takeElement(in, order).data;
+  if (flags.size() != 8)
+    in.fail({espalier::Shown::tr("has a variable without flags: it is damaged")});
+  const auto word = valueAt<std::uint32_t>(flags.data(), order);
+  const auto classType = static_cast<std::uint8_t>(word & 0xff);
+  const bool isComplex = (word >> 8 & complexFlag) != 0;
+  takeSize(in, order, array);
+  array.name = takeElement(in, order).data;
+  if (classType == structureClass) {
+    array.kind = MatArray::Kind::structure;
+    array.fields = takeFields(in, order, array.rows == 0 || array.columns == 0);
+  } else if (classType >= firstNumberClass && classType <= lastNumberClass && !isComplex) {
+    array.kind = MatArray::Kind::numbers;
+    array.values = takeValues(in, order, array);
+  }
+  return array;
+}
+
+/// What `take` returns. Its errors name no byte: those of an unpacked variable are not the file's.
+template <class Take> auto withoutBytes(const Take& take) {
+  try {
+    return take();
+  } catch (const ShownError& error) {
+    ShownMessage message = error.message();
+    if (message.where) message.where->byte.reset();
+    throw ShownError(std::move(message));
+  }
+}
+
 } // namespace
 
 MatFile::MatFile(std::string_view bytes, std::string file) : bytes_(bytes), file_(std::move(file)) {
   if (bytes.size() < headerSize)
-    throw Error(file_ + ": ends within its header: the file is cut short, copy it again");
+    throw ShownError(
+        {espalier::Shown::tr("ends within its header: the file is cut short, copy it again"),
+         {},
+         FilePlace{file_}});
   if (bytes.starts_with("MATLAB 7.3"))
-    throw Error(file_ + ": is a MAT file of version 7.3, and 5 to 7 can be read: save it by "
-                        "save(name, '-v7', ...)");
+    throw ShownError({espalier::Shown::tr("is a MAT file of version 7.3, and 5 to 7 can be read: "
+                                          "save it by save(name, '-v7', ...)"),
+                      {},
+                      FilePlace{file_}});
   const std::string_view mark = bytes.substr(headerSize - 2, 2);
   if (!bytes.starts_with("MATLAB ") || (mark != "IM" && mark != "MI"))
-    throw Error(file_ +
-                ": is no MAT file of MATLAB 5 to 7: save it again by save(name, '-v7', ...)");
+    throw ShownError(
+        {espalier::Shown::tr(
+             "is no MAT file of MATLAB 5 to 7: save it again by save(name, '-v7', ...)"),
+         {},
+         FilePlace{file_}});
   if (mark == "MI") order_ = std::endian::big;
   offset_ = headerSize;
 }
 
 bool MatFile::next(std::string& unpacked) {
   while (offset_ < bytes_.size()) {
-    ByteReader in(bytes_.substr(offset_), file_ + ", from byte " + std::to_string(offset_) + " on");
+    ByteReader in(bytes_, file_);
+    (void)in.take(offset_);
     Element element = takeElement(in, order_);
-    offset_ += in.offset();
+    offset_ = in.offset();
     if (element.type == compressedType) {
       Inflater inflater(element.data);
       const auto data = inflater.all(mostUnpacked);
       if (!data)
-        in.fail(inflater.isTooLong
-                    ? "has a variable that unpacks to over 128 MiB, as of no model: save the model "
-                      "alone"
-                    : "has a variable that cannot be unpacked: the file is damaged, save it again");
+        in.fail({inflater.isTooLong
+                     ? espalier::Shown::tr("has a variable that unpacks to over 128 MiB, as of no "
+                                           "model: save the model alone")
+                     : espalier::Shown::tr("has a variable that cannot be unpacked: the file is "
+                                           "damaged, save it again")});
       unpacked_ += data->size();
       if (unpacked_ > mostUnpackedOfAll)
-        in.fail("unpacks to over 1 GiB up to here, as of no model: save the model alone");
-      ByteReader inner(*data, file_ + ", unpacked variable");
-      element = takeElement(inner, order_);
+        in.fail({espalier::Shown::tr(
+            "unpacks to over 1 GiB up to here, as of no model: save the model alone")});
+      element = withoutBytes([&] {
+        ByteReader inner(*data, file_);
+        return takeElement(inner, order_);
+      });
       if (element.type == matrixType) {
         unpacked = element.data;
         return true;
@@ -197,33 +260,11 @@ bool MatFile::next(std::string& unpacked) {
 }
 
 MatArray MatFile::array(std::string_view matrix) const {
-  MatArray array;
-  if (matrix.empty()) return array; // how an empty field may lie
-  ByteReader in(matrix, file_ + ", a variable");
-  const std::string_view flags = takeElement(in, order_).data;
-  if (flags.size() != 8) in.fail("has no flags: it is damaged");
-  const auto word = valueAt<std::uint32_t>(flags.data(), order_);
-  const auto classType = static_cast<std::uint8_t>(word & 0xff);
-  const bool isComplex = (word >> 8 & complexFlag) != 0;
-  const std::string_view sizes = takeElement(in, order_).data;
-  if (sizes.size() < 8 || sizes.size() % 4 != 0) in.fail("gives no size: it is damaged");
-  array.rows = valueAt<std::uint32_t>(sizes.data(), order_);
-  array.columns = 1;
-  for (std::size_t at = 4; at < sizes.size(); at += 4) {
-    const std::uint64_t size = valueAt<std::uint32_t>(sizes.data() + at, order_);
-    if (size > 0 && array.columns > std::numeric_limits<std::uint32_t>::max() / size)
-      in.fail("has too many elements to be true: it is damaged");
-    array.columns *= size;
-  }
-  array.name = takeElement(in, order_).data;
-  if (classType == structureClass) {
-    array.kind = MatArray::Kind::structure;
-    array.fields = takeFields(in, order_, array.rows == 0 || array.columns == 0);
-  } else if (classType >= firstNumberClass && classType <= lastNumberClass && !isComplex) {
-    array.kind = MatArray::Kind::numbers;
-    array.values = takeValues(in, order_, array);
-  }
-  return array;
+  if (matrix.empty()) return {}; // how an empty field may lie
+  return withoutBytes([&] {
+    ByteReader in(matrix, file_);
+    return takeArray(in, order_);
+  });
 }
 
 } // namespace espalier

@@ -1,7 +1,5 @@
 #include "core/io/qsm/qsm.h"
 
-#include "core/base/counted.h"
-#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/skeleton/axes.h"
 
@@ -17,7 +15,9 @@ public:
   Builder(const Qsm& qsm, const std::string& file) : qsm_(qsm), file_(file) {}
 
   Imported<Skeleton> build() {
-    if (qsm_.cylinders.empty()) throw Error(file_ + ": holds no cylinders: export it again");
+    if (qsm_.cylinders.empty())
+      throw ShownError(
+          {espalier::Shown::tr("holds no cylinders: export it again"), {}, FilePlace{file_}});
     for (std::size_t i = 0; i < qsm_.cylinders.size(); ++i)
       check(i);
     link();
@@ -29,22 +29,27 @@ public:
 private:
   using Place = std::array<double, 3>;
 
-  [[noreturn]] void fail(std::size_t i, const std::string& what) const {
-    const std::size_t line = qsm_.cylinders[i].line;
-    throw Error((line > 0 ? place(file_, line) : file_ + ": ") + "cylinder " +
-                std::to_string(i + 1) + " " + what);
+  /// @param sentence  with %1 for the number of the cylinder, then %2 ... for the values
+  [[noreturn]] void fail(std::size_t i, const char* sentence,
+                         std::vector<std::string> values = {}) const {
+    FilePlace where{file_};
+    if (const std::size_t line = qsm_.cylinders[i].line; line > 0) where.line = line;
+    values.insert(values.begin(), std::to_string(i + 1));
+    throw ShownError({sentence, std::move(values), std::move(where)});
   }
 
   void check(std::size_t i) const {
     const QsmCylinder& cylinder = qsm_.cylinders[i];
     if (!cylinder.start.allFinite() || !cylinder.end.allFinite() ||
         !std::isfinite(cylinder.radius) || !std::isfinite(cylinder.startRadius.value_or(0)))
-      fail(i, "has a value that is not finite");
+      fail(i, espalier::Shown::tr("cylinder %1 has a value that is not finite"));
     if (cylinder.radius < 0 || cylinder.startRadius.value_or(0) < 0)
-      fail(i, "has a negative radius");
+      fail(i, espalier::Shown::tr("cylinder %1 has a negative radius"));
     if (cylinder.parent > qsm_.cylinders.size())
-      fail(i, "is attached to cylinder " + std::to_string(cylinder.parent) + ", and there are " +
-                  std::to_string(qsm_.cylinders.size()) + ": the table is cut short or damaged");
+      fail(i,
+           espalier::Shown::tr("cylinder %1 is attached to cylinder %2, and there are %3: the "
+                               "table is cut short or damaged"),
+           {std::to_string(cylinder.parent), std::to_string(qsm_.cylinders.size())});
   }
 
   void link() {
@@ -66,7 +71,8 @@ private:
         order.push_back(child);
       }
     for (std::size_t i = 0; i < qsm_.cylinders.size(); ++i)
-      if (!nodes[i + 1]) fail(i, "is among its own ancestors: correct its parent");
+      if (!nodes[i + 1])
+        fail(i, espalier::Shown::tr("cylinder %1 is among its own ancestors: correct its parent"));
   }
 
   NodeId add(std::size_t number, NodeId parent, EdgeType edge) {
@@ -105,11 +111,17 @@ private:
 
   void addNotes() {
     if (!qsm_.hasExtensions && !qsm_.hasBranches)
-      note("does not say which cylinder continues another: the first in the file is taken");
+      note({espalier::Shown::tr(
+          "does not say which cylinder continues another: the first in the file is taken")});
     if (distant_ > 0)
-      note(counted(distant_, "cylinder begins", "cylinders begin") +
-           " farther than its radius from the end of the one that bears it, by up to " +
-           plainDecimal(widestGap_) + "; the edge begins at that end nevertheless");
+      note({distant_ == 1
+                ? espalier::Shown::tr(
+                      "1 cylinder begins farther than its radius from the end of the one that "
+                      "bears it, by up to %2; the edge begins at that end nevertheless")
+                : espalier::Shown::tr(
+                      "%1 cylinders begin farther than its radius from the end of the one that "
+                      "bears it, by up to %2; the edge begins at that end nevertheless"),
+            {std::to_string(distant_), plainDecimal(widestGap_)}});
     std::size_t astray = 0;
     for (std::size_t i = 0; i < qsm_.cylinders.size(); ++i) {
       const std::uint32_t extension = qsm_.cylinders[i].extension;
@@ -118,14 +130,17 @@ private:
         ++astray;
     }
     if (astray > 0)
-      note(counted(astray,
-                   "extension is a cylinder that is not attached to the one it should extend, "
-                   "and is",
-                   "extensions are cylinders that are not attached to the ones they should extend, "
-                   "and are") +
-           " passed over");
+      note({astray == 1
+                ? espalier::Shown::tr("1 extension is a cylinder that is not attached to the one "
+                                      "it should extend, and is passed over")
+                : espalier::Shown::tr("%1 extensions are cylinders that are not attached to the "
+                                      "ones they should extend, and are passed over"),
+            {std::to_string(astray)}});
   }
-  void note(const std::string& what) { result_.notes.push_back(file_ + ": " + what); }
+  void note(ShownMessage what) {
+    what.where = FilePlace{file_};
+    result_.notes.push_back(std::move(what));
+  }
 
   const Qsm& qsm_;
   const std::string& file_;

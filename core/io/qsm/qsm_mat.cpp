@@ -1,6 +1,6 @@
 #include "core/io/qsm/qsm_mat.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/io/qsm/mat_file.h"
 #include "core/io/qsm/qsm.h"
@@ -47,9 +47,10 @@ public:
     for (std::size_t i = 0; i < count; ++i) {
       QsmCylinder one{.radius = radius.values[i], .start = rowOf(start, i)};
       const double size = length.values[i];
-      if (size < 0) failAt(i, "has a negative length");
+      if (size < 0) failAt(i, espalier::Shown::tr("cylinder %1 has a negative length"));
       if (size > 0 && !(std::abs(rowOf(axis, i).norm() - 1) < longestError))
-        failAt(i, "has an axis that is not of length 1: the file is damaged, save it again");
+        failAt(i, espalier::Shown::tr("cylinder %1 has an axis that is not of length 1: the file "
+                                      "is damaged, save it again"));
       one.end = qsmEnd(one.start, rowOf(axis, i), size);
       one.parent = countIn(parent, i, "parent");
       if (extension) one.extension = countIn(*extension, i, "extension");
@@ -61,9 +62,14 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& what) const { throw Error(file_ + ": " + what); }
-  [[noreturn]] void failAt(std::size_t cylinder, const std::string& what) const {
-    fail("cylinder " + std::to_string(cylinder + 1) + " " + what);
+  [[noreturn]] void fail(ShownMessage what) const {
+    what.where = FilePlace{file_};
+    throw ShownError(std::move(what));
+  }
+  /// @param sentence  with %1 for the number of the cylinder, and %2 for the field
+  [[noreturn]] void failAt(std::size_t cylinder, const char* sentence,
+                           const std::string& field = {}) const {
+    fail({sentence, {std::to_string(cylinder + 1), field}});
   }
 
   static Eigen::Vector3d rowOf(const MatArray& table, std::size_t row) {
@@ -75,7 +81,7 @@ private:
     const double value = table.values[row];
     if (!(value >= 0) || value != std::floor(value) ||
         value > std::numeric_limits<std::uint32_t>::max())
-      failAt(row, "has no whole number as " + name);
+      failAt(row, espalier::Shown::tr("cylinder %1 has no whole number as %2"), name);
     return static_cast<std::uint32_t>(value);
   }
 
@@ -89,14 +95,17 @@ private:
   [[nodiscard]] MatArray needed(const std::string& name, std::uint64_t columns,
                                 std::optional<std::uint64_t> rows) const {
     const auto field = fieldOf(cylinder_, name);
-    const std::string quoted = "field '" + name + "' of its cylinders ";
-    if (!field) fail(quoted + "is missing: save the whole model of TreeQSM");
+    if (!field)
+      fail({espalier::Shown::tr(
+                "field '%1' of its cylinders is missing: save the whole model of TreeQSM"),
+            {name}});
     MatArray table = mat_.array(*field);
-    if (table.kind != MatArray::Kind::numbers) fail(quoted + "is no table of numbers");
+    if (table.kind != MatArray::Kind::numbers)
+      fail({espalier::Shown::tr("field '%1' of its cylinders is no table of numbers"), {name}});
     if (table.columns != columns || table.rows != rows.value_or(table.rows))
-      fail(quoted + "has " + std::to_string(table.rows) + " x " + std::to_string(table.columns) +
-           " values, expected " + (rows ? std::to_string(*rows) : "N") + " x " +
-           std::to_string(columns));
+      fail({espalier::Shown::tr("field '%1' of its cylinders has %2 x %3 values, expected %4 x %5"),
+            {name, std::to_string(table.rows), std::to_string(table.columns),
+             rows ? std::to_string(*rows) : "N", std::to_string(columns)}});
     return table;
   }
 
@@ -123,12 +132,16 @@ Imported<Skeleton> readQsmMat(std::istream& in, const std::string& file) {
     if (!hasCylinders(cylinder)) continue;
     Imported<Skeleton> result = skeletonOf(CylinderReader(mat, cylinder, file).read(), file);
     if (variable.columns > 1)
-      result.notes.insert(result.notes.begin(), file + ": holds " +
-                                                    std::to_string(variable.columns) +
-                                                    " models, of which the first is read");
+      result.notes.insert(result.notes.begin(),
+                          {espalier::Shown::tr("holds %1 models, of which the first is read"),
+                           {std::to_string(variable.columns)},
+                           FilePlace{file}});
     return result;
   }
-  throw Error(file + ": holds no model of TreeQSM: expected a structure with a field 'cylinder'");
+  throw ShownError({espalier::Shown::tr(
+                        "holds no model of TreeQSM: expected a structure with a field 'cylinder'"),
+                    {},
+                    FilePlace{file}});
 }
 
 } // namespace espalier

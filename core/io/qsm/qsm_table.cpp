@@ -1,6 +1,5 @@
 #include "core/io/qsm/qsm_table.h"
 
-#include "core/base/error.h"
 #include "core/base/listed.h"
 #include "core/base/text.h"
 #include "core/io/qsm/qsm.h"
@@ -21,13 +20,14 @@ constexpr std::size_t headSize = 4096; // bytes by which columns are recognized
 /// A line of the table.
 class Row {
 public:
-  Row(std::string_view line, const QsmColumns& columns, std::string where)
+  Row(std::string_view line, const QsmColumns& columns, FilePlace where)
       : fields_(qsmFields(line, columns.separator)), columns_(columns), where_(std::move(where)) {
     while (fields_.size() > columns.count && fields_.back().empty())
       fields_.pop_back(); // a separator at the end of the line
     if (fields_.size() != columns.count)
-      throw Error(where_ + "expected " + std::to_string(columns.count) + " columns, found " +
-                  std::to_string(fields_.size()));
+      throw ShownError({espalier::Shown::tr("expected %1 columns, found %2"),
+                        {std::to_string(columns.count), std::to_string(fields_.size())},
+                        where_});
   }
 
   [[nodiscard]] bool has(QsmField field) const {
@@ -38,8 +38,9 @@ public:
     const std::string_view text = fields_[*columns_[field]];
     const auto value = numberIn(text);
     if (!value || !std::isfinite(*value))
-      throw Error(where_ + "expected a number in column " + std::to_string(*columns_[field] + 1) +
-                  ", found " + inQuotes(text));
+      throw ShownError({espalier::Shown::tr("expected a number in column %1, found %2"),
+                        {std::to_string(*columns_[field] + 1), inQuotes(text)},
+                        where_});
     return *value;
   }
 
@@ -58,26 +59,28 @@ public:
     const double value = number(field);
     if (value < 0 || value != std::floor(value) ||
         value > std::numeric_limits<std::uint32_t>::max())
-      throw Error(where_ + "expected a whole number in column " +
-                  std::to_string(*columns_[field] + 1) + ", found " + inQuotes(text));
+      throw ShownError({espalier::Shown::tr("expected a whole number in column %1, found %2"),
+                        {std::to_string(*columns_[field] + 1), inQuotes(text)},
+                        where_});
     return static_cast<std::uint32_t>(value);
   }
 
 private:
   std::vector<std::string_view> fields_;
   const QsmColumns& columns_;
-  std::string where_;
+  FilePlace where_;
 };
 
-QsmCylinder cylinderIn(const Row& row, const QsmColumns& columns, const std::string& where) {
+QsmCylinder cylinderIn(const Row& row, const QsmColumns& columns, const FilePlace& where) {
   QsmCylinder cylinder{.radius = row.number(radius), .start = row.vector(startX)};
   if (columns[endX] && columns[endY] && columns[endZ]) {
     cylinder.end = row.vector(endX);
   } else {
     const double size = row.number(length);
     const Eigen::Vector3d axis = row.vector(axisX);
-    if (size < 0) throw Error(where + "the length is negative");
-    if (size > 0 && axis.isZero(0)) throw Error(where + "the axis has no direction");
+    if (size < 0) throw ShownError({espalier::Shown::tr("the length is negative"), {}, where});
+    if (size > 0 && axis.isZero(0))
+      throw ShownError({espalier::Shown::tr("the axis has no direction"), {}, where});
     cylinder.end = qsmEnd(cylinder.start, axis, size);
   }
   if (row.has(startRadius)) cylinder.startRadius = row.number(startRadius);
@@ -91,7 +94,10 @@ QsmCylinder cylinderIn(const Row& row, const QsmColumns& columns, const std::str
 void checkFinite(const Skeleton& skeleton) {
   for (const NodeId id : skeleton.ids())
     if (!skeleton[id].position.allFinite() || !std::isfinite(skeleton[id].radius))
-      throw Error(nameOf(id) + " has a position or radius that is not finite: move or remove it");
+      throw ShownError(
+          {espalier::Shown::tr(
+               "node %1 has a position or radius that is not finite: move or remove it"),
+           {std::to_string(indexOf(id))}});
 }
 
 } // namespace
@@ -104,8 +110,11 @@ Imported<Skeleton> readQsmTable(std::istream& in, const std::string& file) {
   const std::string bytes = readAll(in);
   const auto columns = qsmColumnsIn(std::string_view(bytes).substr(0, headSize));
   if (!columns)
-    throw Error(file + ": is no table of cylinders: its first line should name the columns radius, "
-                       "length, start_x ..., axis_x ..., parent, as TreeQSM does");
+    throw ShownError(
+        {espalier::Shown::tr("is no table of cylinders: its first line should name the columns "
+                             "radius, length, start_x ..., axis_x ..., parent, as TreeQSM does"),
+         {},
+         FilePlace{file}});
   Qsm qsm{.cylinders = {},
           .hasExtensions = (*columns)[extension].has_value(),
           .hasBranches = (*columns)[branch].has_value(),
@@ -114,13 +123,15 @@ Imported<Skeleton> readQsmTable(std::istream& in, const std::string& file) {
   if (columns->hasHeader) (void)lines.next();
   while (const auto line = lines.next()) {
     if (trimmed(*line).empty()) continue;
-    const std::string where = place(file, lines.number());
+    const FilePlace where{file, lines.number()};
     qsm.cylinders.push_back(cylinderIn(Row(*line, *columns, where), *columns, where));
     qsm.cylinders.back().line = lines.number();
   }
   Imported<Skeleton> result = skeletonOf(qsm, file);
   if (!columns->leftOut.empty())
-    result.notes.push_back(file + ": columns that are not kept: " + listed(columns->leftOut));
+    result.notes.push_back({espalier::Shown::tr("columns that are not kept: %1"),
+                            {listed(columns->leftOut)},
+                            FilePlace{file}});
   return result;
 }
 

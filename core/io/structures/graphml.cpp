@@ -1,7 +1,5 @@
 #include "core/io/structures/graphml.h"
 
-#include "core/base/counted.h"
-#include "core/base/error.h"
 #include "core/base/listed.h"
 #include "core/base/text.h"
 #include "core/io/bytes/xml.h"
@@ -41,10 +39,12 @@ public:
         defaults_[keys_[id]] = trimmed(byDefault.child_value());
     }
     graph_ = xml.root().child("graph");
-    if (!graph_) throw Error(xml.file() + ": holds no graph");
+    if (!graph_)
+      throw ShownError({espalier::Shown::tr("holds no graph"), {}, FilePlace{xml.file()}});
     for (const pugi::xml_node node : graph_.children("node"))
       addNode(node);
-    if (rows_.empty()) throw Error(xml.file() + ": holds no nodes");
+    if (rows_.empty())
+      throw ShownError({espalier::Shown::tr("holds no nodes"), {}, FilePlace{xml.file()}});
     for (const pugi::xml_node edge : graph_.children("edge"))
       addEdge(edge);
   }
@@ -57,11 +57,12 @@ public:
         skeletonOfRows(rows_, [this](const NodeRow& row) { return xml_.where(nodes_[row.place]); });
     if (!hasTypes_ && !edges_.empty()) {
       result.value = withAssembledAxes(result.value);
-      result.notes.push_back(noteOnAxes(xml_.file(), "this GraphML"));
+      result.notes.push_back(noteOnAxes(xml_.file()));
     }
     if (!unused_.empty())
-      result.notes.push_back(xml_.file() + ": its data " +
-                             listed({unused_.begin(), unused_.end()}) + " are left out");
+      result.notes.push_back({espalier::Shown::tr("its data %1 are left out"),
+                              {listed({unused_.begin(), unused_.end()})},
+                              FilePlace{xml_.file()}});
     return result;
   }
 
@@ -74,15 +75,19 @@ private:
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto value = data.find(axes[axis]);
       if (value == data.end())
-        throw Error(xml_.where(element) + "the node " + inQuotes(row.id) + " has no " + axes[axis] +
-                    ": its position is expected as data x, y and z");
+        throw ShownError({espalier::Shown::tr(
+                              "the node %1 has no %2: its position is expected as data x, y and z"),
+                          {inQuotes(row.id), axes[axis]},
+                          xml_.where(element)});
       row.node.position[static_cast<Eigen::Index>(axis)] =
           xml_.numberIn(element, value->second, axes[axis]);
     }
     row.node.radius = radiusOf(element, data);
-    if (row.id.empty()) throw Error(xml_.where(element) + "the node has no id");
+    if (row.id.empty())
+      throw ShownError({espalier::Shown::tr("the node has no id"), {}, xml_.where(element)});
     if (!index_.emplace(row.id, rows_.size()).second)
-      throw Error(xml_.where(element) + "the id " + inQuotes(row.id) + " occurs twice");
+      throw ShownError(
+          {espalier::Shown::tr("the id %1 occurs twice"), {inQuotes(row.id)}, xml_.where(element)});
     rows_.push_back(std::move(row));
     nodes_.push_back(element);
   }
@@ -96,8 +101,12 @@ private:
 
   void addEdge(pugi::xml_node element) {
     Edge edge{.element = element};
-    edge.source = rowNamed(element, "source");
-    edge.target = rowNamed(element, "target");
+    edge.source =
+        rowNamed(element, "source",
+                 espalier::Shown::tr("the source of the edge, %1, is no node of the graph"));
+    edge.target =
+        rowNamed(element, "target",
+                 espalier::Shown::tr("the target of the edge, %1, is no node of the graph"));
     const std::string_view byDefault = graph_.attribute("edgedefault").as_string("directed");
     edge.isDirected = element.attribute("directed").as_bool(byDefault != "undirected");
     static const std::set<std::string> names = {"type", "edge_type", "edgetype"};
@@ -110,11 +119,11 @@ private:
     edges_.push_back(edge);
   }
 
-  [[nodiscard]] std::size_t rowNamed(pugi::xml_node edge, const char* end) const {
-    const auto row = index_.find(edge.attribute(end).value());
-    if (row == index_.end())
-      throw Error(xml_.where(edge) + "the " + end + " of the edge, " +
-                  inQuotes(edge.attribute(end).value()) + ", is no node of the graph");
+  [[nodiscard]] std::size_t rowNamed(pugi::xml_node edge, const char* end,
+                                     const char* isNone) const {
+    const std::string id = edge.attribute(end).value();
+    const auto row = index_.find(id);
+    if (row == index_.end()) throw ShownError({isNone, {inQuotes(id)}, xml_.where(edge)});
     return row->second;
   }
 
@@ -136,14 +145,15 @@ private:
     return data;
   }
 
-  void leaveOutSynapses(std::vector<std::string>& notes) {
+  void leaveOutSynapses(std::vector<ShownMessage>& notes) {
     const auto isDirected = [](const Edge& edge) { return edge.isDirected; };
     if (std::ranges::all_of(edges_, isDirected) || std::ranges::none_of(edges_, isDirected)) return;
     const std::size_t count = std::erase_if(edges_, isDirected);
-    notes.push_back(xml_.file() + ": " +
-                    counted(count, "directed edge among undirected ones is",
-                            "directed edges among undirected ones are") +
-                    " left out");
+    notes.push_back(
+        {count == 1 ? espalier::Shown::tr("1 directed edge among undirected ones is left out")
+                    : espalier::Shown::tr("%1 directed edges among undirected ones are left out"),
+         {std::to_string(count)},
+         FilePlace{xml_.file()}});
   }
 
   /// Whether each node has one parent at most if edges lead from it, or to it.
@@ -162,8 +172,9 @@ private:
     auto child = isDirected ? &Edge::target : &Edge::source;
     if (const auto edge = secondParent(child)) {
       if (secondParent(parent))
-        throw Error(xml_.where(edge->element) + "the node " + inQuotes(rows_[(*edge).*child].id) +
-                    " has two parents: a skeleton is a tree");
+        throw ShownError({espalier::Shown::tr("the node %1 has two parents: a skeleton is a tree"),
+                          {inQuotes(rows_[(*edge).*child].id)},
+                          xml_.where(edge->element)});
       std::swap(parent, child);
     }
     for (const Edge& edge : edges_) {

@@ -1,6 +1,5 @@
 #include "core/io/structures/node_list.h"
 
-#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/io/structures/node_rows.h"
 
@@ -18,7 +17,7 @@ bool isMissing(std::string_view field) {
 }
 
 NodeRow rowOf(std::string_view line, std::size_t number, const std::string& file) {
-  const std::string where = place(file, number);
+  const FilePlace where{file, number};
   std::vector<std::string_view> fields;
   for (std::size_t start = 0; start <= line.size();) {
     const std::size_t end = std::min(line.find('\t', start), line.size());
@@ -26,17 +25,19 @@ NodeRow rowOf(std::string_view line, std::size_t number, const std::string& file
     start = end + 1;
   }
   if (fields.size() < 6)
-    throw Error(where + "expected 7 fields parted by tabs (" + std::string(columnNames) +
-                "), found " + std::to_string(fields.size()));
+    throw ShownError({espalier::Shown::tr("expected 7 fields parted by tabs (%1), found %2"),
+                      {std::string(columnNames), std::to_string(fields.size())},
+                      where});
   NodeRow row{.id = std::string(fields[0]), .place = number};
-  if (row.id.empty()) throw Error(where + "the node has no id");
+  if (row.id.empty()) throw ShownError({espalier::Shown::tr("the node has no id"), {}, where});
   if (!isMissing(fields[1])) row.parent = fields[1];
   if (fields[2] == "+") row.node.edge = EdgeType::branching;
   row.node.position = {finiteNumber(fields[3], "XX", where), finiteNumber(fields[4], "YY", where),
                        finiteNumber(fields[5], "ZZ", where)};
   if (fields.size() > 6 && !isMissing(fields[6]))
     row.node.radius = finiteNumber(fields[6], "Radius", where);
-  if (row.node.radius < 0) throw Error(where + "the radius is negative");
+  if (row.node.radius < 0)
+    throw ShownError({espalier::Shown::tr("the radius is negative"), {}, where});
   return row;
 }
 
@@ -53,7 +54,7 @@ std::vector<NodeRow> rowsOf(std::string_view text, const std::string& file) {
     else
       rows.push_back(rowOf(*line, lines.number(), file));
   }
-  if (rows.empty()) throw Error(file + ": holds no nodes");
+  if (rows.empty()) throw ShownError({espalier::Shown::tr("holds no nodes"), {}, FilePlace{file}});
   return rows;
 }
 
@@ -73,7 +74,9 @@ bool isNodeList(std::string_view beginning) {
 Imported<Skeleton> readNodeList(std::istream& in, const std::string& file) {
   const std::string bytes = readAll(in);
   return {skeletonOfRows(rowsOf(bytes, file),
-                         [&](const NodeRow& row) { return place(file, row.place); }),
+                         [&](const NodeRow& row) {
+                           return FilePlace{file, row.place};
+                         }),
           {}};
 }
 

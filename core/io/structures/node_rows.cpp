@@ -1,7 +1,6 @@
 #include "core/io/structures/node_rows.h"
 
 #include "core/base/coordinates.h"
-#include "core/base/error.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -11,7 +10,7 @@
 namespace espalier {
 namespace {
 
-using Where = std::function<std::string(const NodeRow&)>;
+using Where = std::function<FilePlace(const NodeRow&)>;
 
 /// Rows that are attached to each row, roots under the number of rows.
 std::vector<std::vector<std::size_t>> childrenOf(const std::vector<NodeRow>& rows,
@@ -19,13 +18,15 @@ std::vector<std::vector<std::size_t>> childrenOf(const std::vector<NodeRow>& row
   std::unordered_map<std::string_view, std::size_t> index; // rows by id
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (!index.emplace(rows[i].id, i).second)
-      throw Error(where(rows[i]) + "the id " + inQuotes(rows[i].id) + " occurs twice");
+      throw ShownError(
+          {espalier::Shown::tr("the id %1 occurs twice"), {inQuotes(rows[i].id)}, where(rows[i])});
   std::vector<std::vector<std::size_t>> children(rows.size() + 1);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto parent = index.find(rows[i].parent);
     if (!rows[i].parent.empty() && parent == index.end())
-      throw Error(where(rows[i]) + "the parent " + inQuotes(rows[i].parent) +
-                  " is not in the list");
+      throw ShownError({espalier::Shown::tr("the parent %1 is not in the list"),
+                        {inQuotes(rows[i].parent)},
+                        where(rows[i])});
     children[rows[i].parent.empty() ? rows.size() : parent->second].push_back(i);
   }
   return children;
@@ -55,13 +56,17 @@ Skeleton skeletonOfRows(const std::vector<NodeRow>& rows, const Where& where) {
   }
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (!ids[i])
-      throw Error(where(rows[i]) + "the node is among its own ancestors: correct its parent");
+      throw ShownError(
+          {espalier::Shown::tr("the node is among its own ancestors: correct its parent"),
+           {},
+           where(rows[i])});
   return result;
 }
 
-std::string noteOnAxes(const std::string& file, const std::string& format) {
-  return file + ": " + format +
-         " has no edge types: the child that carries most continues each axis";
+ShownMessage noteOnAxes(const std::string& file) {
+  return {espalier::Shown::tr("has no edge types: the child that carries most continues each axis"),
+          {},
+          FilePlace{file}};
 }
 
 } // namespace espalier

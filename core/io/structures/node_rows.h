@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/shown_message.h"
 #include "core/skeleton/skeleton.h"
 
 #include <cstddef>
@@ -20,14 +21,14 @@ struct NodeRow {
 /// The skeleton of rows in any order. Nodes are numbered breadth first from the roots, successors
 /// before their siblings.
 ///
-/// @param where  the start of a message about a row: "oak.swc, line 12: "
-/// @throws Error for an id that occurs twice, a parent that is missing, a node among its own
+/// @param where  a row is in its file, for messages
+/// @throws ShownError for an id that occurs twice, a parent that is missing, a node among its own
 ///         ancestors, and one that is not in range (isInRange)
 /// Time O(N).
 [[nodiscard]] Skeleton skeletonOfRows(const std::vector<NodeRow>& rows,
-                                      const std::function<std::string(const NodeRow&)>& where);
+                                      const std::function<FilePlace(const NodeRow&)>& where);
 
 /// What a user should know of a file whose format has no edge types.
-[[nodiscard]] std::string noteOnAxes(const std::string& file, const std::string& format);
+[[nodiscard]] ShownMessage noteOnAxes(const std::string& file);
 
 } // namespace espalier

@@ -1,4 +1,3 @@
-#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/io/bytes/xml.h"
 #include "core/io/structures/opf.h"
@@ -33,14 +32,18 @@ public:
 
   Imported<Mtg> read() {
     const pugi::xml_node topology = xml_.root().child("topology");
-    if (!topology) throw Error(xml_.file() + ": holds no topology");
+    if (!topology)
+      throw ShownError({espalier::Shown::tr("holds no topology"), {}, FilePlace{xml_.file()}});
     addAll(topology);
-    if (mtg_.vertices.empty()) throw Error(xml_.file() + ": holds no vertices");
+    if (mtg_.vertices.empty())
+      throw ShownError({espalier::Shown::tr("holds no vertices"), {}, FilePlace{xml_.file()}});
     Imported<Mtg> result{std::move(mtg_), {}};
     if (!hasCoordinates_ && placeByGeometry(result.value))
-      result.notes.push_back(xml_.file() +
-                             ": nodes are placed at the upper ends of the shapes of their organs; "
-                             "the meshes are left out");
+      result.notes.push_back(
+          {espalier::Shown::tr("nodes are placed at the upper ends of the shapes of their organs; "
+                               "the meshes are left out"),
+           {},
+           FilePlace{xml_.file()}});
     return result;
   }
 
@@ -89,14 +92,16 @@ private:
     const std::string_view text = element.attribute("scale").value();
     const double scale = xml_.numberIn(element, text, "scale");
     if (scale < coarsest || scale > finestScale || scale != static_cast<int>(scale))
-      throw Error(xml_.where(element) + "expected a scale from " + std::to_string(coarsest) +
-                  " to " + std::to_string(finestScale) + ", found " + inQuotes(text));
+      throw ShownError({espalier::Shown::tr("expected a scale from %1 to %2, found %3"),
+                        {std::to_string(coarsest), std::to_string(finestScale), inQuotes(text)},
+                        xml_.where(element)});
     return static_cast<int>(scale);
   }
 
   VertexId add(pugi::xml_node element, std::optional<VertexId> outer) {
     MtgVertex vertex{.symbol = element.attribute("class").value(), .scale = scaleOf(element, 1)};
-    if (vertex.symbol.empty()) throw Error(xml_.where(element) + "the vertex has no class");
+    if (vertex.symbol.empty())
+      throw ShownError({espalier::Shown::tr("the vertex has no class"), {}, xml_.where(element)});
     addClass(vertex);
     const VertexId id{static_cast<std::uint32_t>(mtg_.vertices.size())};
     const std::string_view link = element.name();
@@ -120,18 +125,22 @@ private:
               std::optional<VertexId> outer) {
     const std::optional<VertexId> bearer = outer ? upTo(*outer, vertex.scale) : std::nullopt;
     if (!bearer)
-      throw Error(xml_.where(element) + "this vertex of scale " + std::to_string(vertex.scale) +
-                  " is attached to nothing of its scale");
+      throw ShownError(
+          {espalier::Shown::tr("this vertex of scale %1 is attached to nothing of its scale"),
+           {std::to_string(vertex.scale)},
+           xml_.where(element)});
     vertex.parent = bearer;
     vertex.complex = mtg_.vertices[indexOf(*bearer)].complex;
     if (bearer != outer) entries_.emplace(id, Entry{*outer, vertex.edge});
   }
 
   void becomePart(pugi::xml_node element, MtgVertex& vertex, VertexId outer) {
-    if (vertex.scale <= mtg_.vertices[indexOf(outer)].scale)
-      throw Error(xml_.where(element) + "a part of a vertex of scale " +
-                  std::to_string(mtg_.vertices[indexOf(outer)].scale) +
-                  " must have a finer scale, not " + std::to_string(vertex.scale));
+    const int outerScale = mtg_.vertices[indexOf(outer)].scale;
+    if (vertex.scale <= outerScale)
+      throw ShownError(
+          {espalier::Shown::tr("a part of a vertex of scale %1 must have a finer scale, not %2"),
+           {std::to_string(outerScale), std::to_string(vertex.scale)},
+           xml_.where(element)});
     vertex.complex = outer;
     const auto entry = entries_.find(outer);
     if (entry == entries_.end()) return;
@@ -161,7 +170,10 @@ private:
     if (place->second >= values.size()) {
       room_ += place->second + 1 - values.size();
       if (room_ > mostRoom)
-        throw Error(xml_.file() + ": has more features, on more vertices, than fit into memory");
+        throw ShownError(
+            {espalier::Shown::tr("has more features, on more vertices, than fit into memory"),
+             {},
+             FilePlace{xml_.file()}});
       values.resize(place->second + 1);
     }
     values[place->second] = std::move(text);
@@ -187,10 +199,13 @@ private:
     std::string text = matrix.child_value();
     std::ranges::replace(text, '\n', ' ');
     for (std::string_view rest = trimmed(text); !rest.empty() && numbers.size() <= 12;)
-      numbers.push_back(xml_.numberIn(matrix, nextWord(rest), "item of the matrix"));
+      numbers.push_back(xml_.numberIn(matrix, nextWord(rest), "mat"));
     if (numbers.size() != 12)
-      throw Error(xml_.where(matrix) + "expected a matrix of 12 numbers, found " +
-                  (numbers.size() > 12 ? "more" : std::to_string(numbers.size())));
+      throw ShownError({numbers.size() > 12
+                            ? espalier::Shown::tr("expected a matrix of 12 numbers, found more")
+                            : espalier::Shown::tr("expected a matrix of 12 numbers, found %1"),
+                        {std::to_string(numbers.size())},
+                        xml_.where(matrix)});
     ends_.emplace_back(id, Eigen::Vector3d(numbers[0] + numbers[3], numbers[4] + numbers[7],
                                            numbers[8] + numbers[11]));
   }

@@ -1,5 +1,3 @@
-#include "core/base/counted.h"
-#include "core/base/error.h"
 #include "core/base/listed.h"
 #include "core/base/text.h"
 #include "core/io/bytes/xml.h"
@@ -21,22 +19,11 @@ public:
 
   Imported<Skeleton> read() {
     readRoots();
-    if (result_.value.isEmpty()) throw Error(xml_.file() + ": holds no polylines of roots");
-    const pugi::xml_node metadata = xml_.root().child("metadata");
-    if (const std::string_view unit = trimmed(metadata.child_value("unit"));
-        !unit.empty() && unit != "unknown")
-      note("its unit is " + inQuotes(unit) + ", at a resolution of " +
-           inQuotes(trimmed(metadata.child_value("resolution"))));
-    if (isFlat_) note("its points have no z, which is taken as 0");
-    if (bare_ > 0)
-      note(counted(bare_, "root has no polyline and is", "roots have no polyline and are") +
-           " left out");
-    if (strays_ > 0)
-      note(counted(strays_, "root names a parent-node that is not there, and is attached",
-                   "roots name a parent-node that is not there, and are attached") +
-           " to the nearest node");
-    if (!unused_.empty())
-      note("its functions " + listed({unused_.begin(), unused_.end()}) + " are left out");
+    if (result_.value.isEmpty())
+      throw ShownError(
+          {espalier::Shown::tr("holds no polylines of roots"), {}, FilePlace{xml_.file()}});
+    noteUnit();
+    noteWhatIsAmiss();
     return std::move(result_);
   }
 
@@ -47,7 +34,35 @@ private:
     std::optional<std::size_t> bearer; // place in polylines_
   };
 
-  void note(const std::string& text) { result_.notes.push_back(xml_.file() + ": " + text); }
+  void note(ShownMessage what) {
+    what.where = FilePlace{xml_.file()};
+    result_.notes.push_back(std::move(what));
+  }
+
+  void noteUnit() {
+    const pugi::xml_node metadata = xml_.root().child("metadata");
+    const std::string_view unit = trimmed(metadata.child_value("unit"));
+    if (unit.empty() || unit == "unknown") return;
+    note({espalier::Shown::tr("its unit is %1, at a resolution of %2"),
+          {inQuotes(unit), inQuotes(trimmed(metadata.child_value("resolution")))}});
+  }
+
+  void noteWhatIsAmiss() {
+    if (isFlat_) note({espalier::Shown::tr("its points have no z, which is taken as 0")});
+    if (bare_ > 0)
+      note({bare_ == 1 ? espalier::Shown::tr("1 root has no polyline and is left out")
+                       : espalier::Shown::tr("%1 roots have no polyline and are left out"),
+            {std::to_string(bare_)}});
+    if (strays_ > 0)
+      note({strays_ == 1 ? espalier::Shown::tr("1 root names a parent-node that is not there, and "
+                                               "is attached to the nearest node")
+                         : espalier::Shown::tr("%1 roots name a parent-node that is not there, and "
+                                               "are attached to the nearest node"),
+            {std::to_string(strays_)}});
+    if (!unused_.empty())
+      note({espalier::Shown::tr("its functions %1 are left out"),
+            {listed({unused_.begin(), unused_.end()})}});
+  }
 
   /// Not by recursion: how deep roots are nested is up to the file.
   void readRoots() {
@@ -143,7 +158,9 @@ private:
     constexpr std::size_t most = 100'000'000; // about a second
     compared_ += bearer.size();
     if (compared_ > most)
-      throw Error(xml_.where(root) + "too many roots on long ones have no parent-node");
+      throw ShownError({espalier::Shown::tr("too many roots on long ones have no parent-node"),
+                        {},
+                        xml_.where(root)});
     const auto distance = [&](NodeId id) {
       return (result_.value[id].position - place).squaredNorm();
     };

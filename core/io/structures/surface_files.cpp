@@ -1,6 +1,6 @@
 #include "core/io/structures/surface_files.h"
 
-#include "core/base/error.h"
+#include "core/base/shown_message.h"
 #include "core/base/text.h"
 #include "core/io/bytes/scalar.h"
 #include "core/surface/generalized_cylinders.h"
@@ -13,7 +13,8 @@ namespace {
 
 SurfaceMesh surfaceOf(const Skeleton& skeleton) {
   SurfaceMesh mesh = surfaceByGeneralizedCylinders(skeleton);
-  if (mesh.triangles.empty()) throw Error("no axis has a length: there is no surface to write");
+  if (mesh.triangles.empty())
+    throw ShownError({espalier::Shown::tr("no axis has a length: there is no surface to write")});
   return mesh;
 }
 

@@ -1,6 +1,5 @@
 #include "core/io/structures/swc.h"
 
-#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/io/structures/node_rows.h"
 #include "core/skeleton/assemble_axes.h"
@@ -28,28 +27,32 @@ bool isWhole(std::string_view word) {
 }
 
 /// @param mayBeMissing  then nan stands for none
-double valueIn(std::string_view word, std::string_view column, const std::string& where,
+double valueIn(std::string_view word, std::string_view column, const FilePlace& where,
                bool mayBeMissing = false) {
   const auto number = numberIn(word);
   if (!number || (!std::isfinite(*number) && !mayBeMissing))
-    throw Error(where + "expected a number as " + std::string(column) + ", found " +
-                inQuotes(word));
+    throw ShownError({espalier::Shown::tr("expected a number as %1, found %2"),
+                      {std::string(column), inQuotes(word)},
+                      where});
   return *number;
 }
 
-std::string idOf(std::string_view word, std::string_view column, const std::string& where) {
+std::string idOf(std::string_view word, std::string_view column, const FilePlace& where) {
   if (!isWhole(word))
-    throw Error(where + "expected a whole number as " + std::string(column) + ", found " +
-                inQuotes(word));
+    throw ShownError({espalier::Shown::tr("expected a whole number as %1, found %2"),
+                      {std::string(column), inQuotes(word)},
+                      where});
   return std::string(word);
 }
 
 NodeRow sampleIn(std::string_view line, std::size_t number, const std::string& file) {
-  const std::string where = place(file, number);
+  const FilePlace where{file, number};
   const std::vector<std::string_view> words = wordsOf(line);
   if (words.size() < swcColumns)
-    throw Error(where + "expected 7 numbers (id type x y z radius parent), found " +
-                std::to_string(words.size()));
+    throw ShownError(
+        {espalier::Shown::tr("expected 7 numbers (id type x y z radius parent), found %1"),
+         {std::to_string(words.size())},
+         where});
   NodeRow row{.id = idOf(words[0], "id", where), .place = number};
   row.node.position = {valueIn(words[2], "x", where), valueIn(words[3], "y", where),
                        valueIn(words[4], "z", where)};
@@ -105,10 +108,11 @@ Imported<Skeleton> readSwc(std::istream& in, const std::string& file) {
     if (!text.empty() && !text.starts_with('#'))
       rows.push_back(sampleIn(text, lines.number(), file));
   }
-  if (rows.empty()) throw Error(file + ": holds no nodes");
-  const Skeleton skeleton =
-      skeletonOfRows(rows, [&](const NodeRow& row) { return place(file, row.place); });
-  return {withAssembledAxes(skeleton), {noteOnAxes(file, "SWC")}};
+  if (rows.empty()) throw ShownError({espalier::Shown::tr("holds no nodes"), {}, FilePlace{file}});
+  const Skeleton skeleton = skeletonOfRows(rows, [&](const NodeRow& row) {
+    return FilePlace{file, row.place};
+  });
+  return {withAssembledAxes(skeleton), {noteOnAxes(file)}};
 }
 
 void writeSwc(std::ostream& out, const Skeleton& skeleton) {

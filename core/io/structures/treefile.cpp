@@ -1,6 +1,5 @@
 #include "core/io/structures/treefile.h"
 
-#include "core/base/error.h"
 #include "core/base/listed.h"
 #include "core/base/text.h"
 #include "core/io/structures/node_rows.h"
@@ -55,11 +54,13 @@ Fields namesOf(std::string_view names, std::vector<std::string>& extra) {
   return fields;
 }
 
-Layout layoutOf(std::string_view line, const std::string& where) {
+Layout layoutOf(std::string_view line, const FilePlace& where) {
   const std::string_view names = trimmed(line);
   if (!names.starts_with(leadingFields))
-    throw Error(where + "expected the names of the fields, x,y,z,radius,parent_id, found " +
-                inQuotes(names));
+    throw ShownError(
+        {espalier::Shown::tr("expected the names of the fields, x,y,z,radius,parent_id, found %1"),
+         {inQuotes(names)},
+         where});
   Layout layout;
   const std::size_t second = names.find(leadingFields, leadingFields.size());
   std::string_view head = trimmed(names.substr(0, second));
@@ -73,18 +74,23 @@ Layout layoutOf(std::string_view line, const std::string& where) {
 /// The nodes of a line, which is a tree.
 class Tree {
 public:
-  Tree(std::string_view line, const Layout& layout, std::string where)
+  Tree(std::string_view line, const Layout& layout, FilePlace where)
       : values_(fieldsOf(line)), layout_(layout), where_(std::move(where)) {
     const std::size_t first = layout.first.count;
     const bool isWhole =
         values_.size() >= first && (values_.size() - first) % layout.others.count == 0;
     if (!isWhole)
-      throw Error(where_ + "expected " + std::to_string(first) + " fields" +
-                  " and then a multiple of " + std::to_string(layout.others.count) + ", found " +
-                  std::to_string(values_.size()));
+      throw ShownError(
+          {espalier::Shown::tr("expected %1 fields and then a multiple of %2, found %3"),
+           {std::to_string(first), std::to_string(layout.others.count),
+            std::to_string(values_.size())},
+           where_});
     count_ = 1 + (values_.size() - first) / layout.others.count;
     if (count_ > 1 && !layout.others.parent)
-      throw Error(where_ + "the tree has several segments, and no parent_id to join them");
+      throw ShownError(
+          {espalier::Shown::tr("the tree has several segments, and no parent_id to join them"),
+           {},
+           where_});
   }
 
   /// @param tree  number of the tree, which its ids begin with
@@ -97,26 +103,39 @@ private:
   [[nodiscard]] NodeRow row(std::size_t i, const std::string& prefix, std::size_t line) const {
     const Fields& fields = i == 0 ? layout_.first : layout_.others;
     const std::size_t start = i == 0 ? 0 : layout_.first.count + (i - 1) * layout_.others.count;
-    const auto value = [&](std::size_t field) { return values_[start + field]; };
-    const std::string where = where_ + "segment " + std::to_string(i) + ": ";
+    const auto number = [&](std::size_t field, std::string_view name) {
+      return numberOf(i, values_[start + field], name);
+    };
     NodeRow row{.id = prefix + std::to_string(i), .place = line};
-    row.node.position = {finiteNumber(value(0), "x", where), finiteNumber(value(1), "y", where),
-                         finiteNumber(value(2), "z", where)};
-    row.node.radius = std::max(0.0, finiteNumber(value(3), "radius", where));
+    row.node.position = {number(0, "x"), number(1, "y"), number(2, "z")};
+    row.node.radius = std::max(0.0, number(3, "radius"));
     row.node.edge = EdgeType::branching; // until the axes are assembled
     if (!fields.parent) return row;
-    const double parent = finiteNumber(value(*fields.parent), parentField, where);
+    const double parent = number(*fields.parent, parentField);
     if (parent == -1) return row;
     if (!(parent >= 0 && parent < static_cast<double>(count_)) || parent != std::floor(parent))
-      throw Error(where + "its parent_id is " + inQuotes(value(*fields.parent)) +
-                  ", but the tree has segments 0 to " + std::to_string(count_ - 1));
+      throw ShownError({espalier::Shown::tr(
+                            "segment %1: its parent_id is %2, but the tree has segments 0 to %3"),
+                        {std::to_string(i), inQuotes(values_[start + *fields.parent]),
+                         std::to_string(count_ - 1)},
+                        where_});
     row.parent = prefix + std::to_string(static_cast<std::size_t>(parent));
     return row;
   }
 
+  [[nodiscard]] double numberOf(std::size_t segment, std::string_view field,
+                                std::string_view name) const {
+    const auto number = numberIn(field);
+    if (!number || !std::isfinite(*number))
+      throw ShownError({espalier::Shown::tr("segment %1: expected a number as %2, found %3"),
+                        {std::to_string(segment), std::string(name), inQuotes(field)},
+                        where_});
+    return *number;
+  }
+
   std::vector<std::string_view> values_;
   const Layout& layout_;
-  std::string where_;
+  FilePlace where_;
   std::size_t count_ = 0;
 };
 
@@ -156,18 +175,21 @@ Imported<Skeleton> readTreefile(std::istream& in, const std::string& file) {
   LineReader lines(bytes);
   while (const auto line = lines.next()) {
     if (trimmed(*line).empty() || line->starts_with('#')) continue;
-    const std::string where = place(file, lines.number());
+    const FilePlace where{file, lines.number()};
     if (layout)
       Tree(*line, *layout, where).addTo(rows, trees++, lines.number());
     else
       layout = layoutOf(*line, where);
   }
-  if (rows.empty()) throw Error(file + ": holds no trees");
-  const Skeleton skeleton =
-      skeletonOfRows(rows, [&](const NodeRow& row) { return place(file, row.place); });
-  Imported<Skeleton> result{withAssembledAxes(skeleton), {noteOnAxes(file, "a treefile")}};
+  if (rows.empty()) throw ShownError({espalier::Shown::tr("holds no trees"), {}, FilePlace{file}});
+  const Skeleton skeleton = skeletonOfRows(rows, [&](const NodeRow& row) {
+    return FilePlace{file, row.place};
+  });
+  Imported<Skeleton> result{withAssembledAxes(skeleton), {noteOnAxes(file)}};
   if (!layout->extra.empty())
-    result.notes.push_back(file + ": its fields " + listed(layout->extra) + " are left out");
+    result.notes.push_back({espalier::Shown::tr("its fields %1 are left out"),
+                            {listed(layout->extra)},
+                            FilePlace{file}});
   return result;
 }
 

@@ -1,8 +1,7 @@
 #include "core/surface/envelopes/alpha_hull.h"
 
 #include "core/base/delaunay.h"
-#include "core/base/error.h"
-#include "core/base/shown.h"
+#include "core/base/shown_message.h"
 
 #include <numeric>
 #include <tuple>
@@ -146,7 +145,8 @@ private:
 } // namespace
 
 Envelope alphaHull(const Crown& crown, const AlphaHullOptions& options, const Progress& progress) {
-  if (!(options.radius > 0)) throw Error("the radius of the ball is 0: give one above it");
+  if (!(options.radius > 0))
+    throw ShownError({Shown::tr("the radius of the ball is 0: give one above it")});
   const Thinned places = thinned(crown.points, progress.part(0, 0.1));
   const std::vector<Tetrahedron> all = delaunay(places.points, progress.part(0.1, 0.9));
   progress.check();
@@ -155,8 +155,8 @@ Envelope alphaHull(const Crown& crown, const AlphaHullOptions& options, const Pr
   progress.check();
   SurfaceMesh surface = body.surface(places.points);
   if (surface.triangles.empty())
-    throw Error("a ball of this radius goes between all points: there is no body; give it a larger "
-                "radius");
+    throw ShownError({Shown::tr("a ball of this radius goes between all points: there is no body; "
+                                "give it a larger radius")});
   Envelope envelope = envelopeOf(std::move(surface));
   using Kind = EnvelopeParameter::Kind;
   envelope.parameters = {

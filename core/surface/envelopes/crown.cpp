@@ -1,7 +1,7 @@
 #include "core/surface/envelopes/crown.h"
 
-#include "core/base/error.h"
 #include "core/base/qhull.h"
+#include "core/base/shown_message.h"
 
 #include <numeric>
 #include <set>
@@ -55,10 +55,16 @@ Columns peeled(const Eigen::Matrix3Xd& points, Columns columns, std::size_t most
 
 void requirePoints(const Eigen::Matrix3Xd& points) {
   if (!points.allFinite())
-    throw Error("a position is no number: repair it, or leave it out of the envelope");
+    throw ShownError(
+        {Shown::tr("a position is no number: repair it, or leave it out of the envelope")});
   if (points.cols() < 4)
-    throw Error("there are " + std::to_string(points.cols()) +
-                " points: an envelope needs 4 or more that fill space");
+    throw ShownError(
+        points.cols() == 1
+            ? ShownMessage{Shown::tr(
+                  "there is 1 point: an envelope needs 4 or more that fill space")}
+            : ShownMessage{
+                  Shown::tr("there are %1 points: an envelope needs 4 or more that fill space"),
+                  {std::to_string(points.cols())}});
 }
 
 } // namespace
@@ -74,8 +80,8 @@ Crown crownOf(const Eigen::Matrix3Xd& points, double within, const Progress& pro
   const auto hull =
       convexHull(Eigen::Matrix3Xd(points(Eigen::all, cornersByParts(points, columns, progress))));
   if (!hull)
-    throw Error("the points lie in a plane, on a line or at one place: an envelope needs points "
-                "that fill space");
+    throw ShownError({Shown::tr("the points lie in a plane, on a line or at one place: an envelope "
+                                "needs points that fill space")});
   crown.hull = *hull;
   return crown;
 }

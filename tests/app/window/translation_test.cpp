@@ -382,5 +382,28 @@ TEST_F(TranslationTest, HasRoomForTheFrenchTexts) {
     ADD_FAILURE() << each.toStdString();
 }
 
+TEST_F(TranslationTest, SaysInFrenchWhatIsWrongWithAFile) {
+  QTranslator french;
+  ASSERT_TRUE(french.load("espalier_fr", ":/translations"));
+  QApplication::installTranslator(&french);
+  restart();
+  const auto saidOf = [this](const QString& name, const QByteArray& text) {
+    QFile file(path(name));
+    EXPECT_TRUE(file.open(QFile::WriteOnly) && file.write(text) == text.size());
+    file.close();
+    window().open({path(name)});
+    waitForJob();
+    return window().banner().text();
+  };
+  const QString space(QChar(0xA0));
+  EXPECT_EQ(saidOf("vide.ply", ""), QStringLiteral("vide.ply%1: est vide%1: copiez-le ou "
+                                                   "exportez-le à nouveau")
+                                        .arg(space));
+  const QString line = saidOf("plante.swc", "1 2 3\n");
+  EXPECT_TRUE(line.startsWith(QStringLiteral("plante.swc, ligne 1%1: 7 nombres").arg(space)))
+      << line.toStdString();
+  QApplication::removeTranslator(&french);
+}
+
 } // namespace
 } // namespace espalier

@@ -118,7 +118,8 @@ TEST(ReadPoints, LeavesOutWhatIsNotFiniteAndSaysSo) {
   const Imported<PointCloud> cloud =
       readPoints(fileOf("scan.xyz", "1 2 3\nnan 5 6\n7 8 9\n1 inf 3\n"));
   EXPECT_EQ(cloud.value.size(), 2);
-  EXPECT_THAT(cloud.notes, ElementsAre(HasSubstr("scan.xyz: 2 of 4 points are not finite")));
+  EXPECT_THAT(eachInEnglish(cloud.notes),
+              ElementsAre(HasSubstr("scan.xyz: 2 of 4 points are not finite")));
   EXPECT_EQ(errorOfPoints(fileOf("scan.xyz", "nan nan nan\n")),
             "scan.xyz: holds 1 point, none of them finite: export it again");
 }

@@ -29,16 +29,16 @@ TEST(ReadPart, SaysHowManyOfHowManyPointsItTook) {
   const ImportedCloud sample = readPoints(path, ReadOptions{.most = 100});
   EXPECT_EQ(sample.value.size(), 100);
   EXPECT_EQ(sample.listed, 1000U);
-  EXPECT_THAT(sample.notes,
+  EXPECT_THAT(eachInEnglish(sample.notes),
               testing::Contains("row.xyz: 100 of 1000 points are read, a sample of all"));
-  EXPECT_THAT(readPoints(path, ReadOptions{.box = boxFrom(100, 199)}).notes,
+  EXPECT_THAT(eachInEnglish(readPoints(path, ReadOptions{.box = boxFrom(100, 199)}).notes),
               testing::Contains("row.xyz: 100 of 1000 points are read, those in the box"));
   EXPECT_THAT(
-      readPoints(path, ReadOptions{.most = 10, .box = boxFrom(100, 199)}).notes,
+      eachInEnglish(readPoints(path, ReadOptions{.most = 10, .box = boxFrom(100, 199)}).notes),
       testing::Contains("row.xyz: 10 of 1000 points are read, a sample of those in the box"));
   const ImportedCloud whole = readPoints(path, ReadOptions{.most = 1000});
   EXPECT_EQ(whole.value.size(), 1000);
-  EXPECT_THAT(whole.notes, testing::Each(testing::Not(HasSubstr("are read"))));
+  EXPECT_THAT(eachInEnglish(whole.notes), testing::Each(testing::Not(HasSubstr("are read"))));
 }
 
 TEST(ReadPart, RefusesABoxOutsideOfTheScan) {
@@ -56,7 +56,7 @@ TEST(ReadPart, TakesColumnsAsTheyAreNamed) {
   const ImportedCloud cloud = readPoints(path, ReadOptions{.columns = columns});
   EXPECT_EQ(cloud.value.bounds().max().z(), 999);
   EXPECT_EQ(cloud.value.intensities().size(), 1000U);
-  EXPECT_THAT(cloud.notes, testing::Each(testing::Not(HasSubstr("left out"))));
+  EXPECT_THAT(eachInEnglish(cloud.notes), testing::Each(testing::Not(HasSubstr("left out"))));
   const PointGlance glance = glanceAt(path, columns);
   EXPECT_EQ(glance.columns[0].name, "z");
   EXPECT_EQ(glance.columns[3].name, "intensity");

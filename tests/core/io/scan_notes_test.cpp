@@ -27,13 +27,13 @@ TEST(ScanNotes, SayNothingOfACleanScan) {
 TEST(ScanNotes, SayHowManyPointsLieFarOffAndHowFar) {
   RawPoints raw = fork();
   raw.positions.emplace_back(0, 0, -250);
-  EXPECT_THAT(scanNotes(PointCloud(raw), "oak.xyz"),
+  EXPECT_THAT(eachInEnglish(scanNotes(PointCloud(raw), "oak.xyz")),
               ElementsAre("oak.xyz: 1 point lies far from all others, 250 away: the step Clean "
                           "leaves it out, and spacing, size and view are those of the others"));
   raw.positions.emplace_back(0, 0, 1e6);
   raw.positions.emplace_back(40, 0, 1);
   EXPECT_THAT(
-      scanNotes(PointCloud(raw), "oak.xyz"),
+      eachInEnglish(scanNotes(PointCloud(raw), "oak.xyz")),
       ElementsAre("oak.xyz: 3 points lie far from all others, up to 999997 away: the step Clean "
                   "leaves them out, and spacing, size and view are those of the others"));
 }
@@ -41,7 +41,7 @@ TEST(ScanNotes, SayHowManyPointsLieFarOffAndHowFar) {
 TEST(ScanNotes, SayHowManyPointsAreRepeated) {
   const std::string all = std::to_string(3 * test::forkCloud().cols());
   const std::string repeated = std::to_string(2 * test::forkCloud().cols());
-  EXPECT_THAT(scanNotes(PointCloud(fork(3)), "oak.xyz"),
+  EXPECT_THAT(eachInEnglish(scanNotes(PointCloud(fork(3)), "oak.xyz")),
               ElementsAre("oak.xyz: " + repeated + " of " + all +
                           " points lie at the place of another: each place counts once"));
   RawPoints few = fork();

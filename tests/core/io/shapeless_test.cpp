@@ -54,7 +54,7 @@ TEST_F(Shapeless, IsReadWithANoteAndWrittenAsItWas) {
   const Imported<Structure> plant = readAnyStructure(typed);
   EXPECT_TRUE(isWithoutPositions(plant.value));
   EXPECT_TRUE(plant.value.skeleton.isEmpty());
-  EXPECT_THAT(plant.notes,
+  EXPECT_THAT(eachInEnglish(plant.notes),
               testing::ElementsAre("typed.mtg: has no positions: it is a plant without its shape"));
   writeStructure(folder / "copy.mtg", plant.value);
   EXPECT_EQ(bytesOf(folder / "copy.mtg"), shoots());

@@ -106,7 +106,7 @@ TEST_P(HandTypedMtg, IsReadAsItSays) {
     counts += (counts.empty() ? "" : ",") + std::to_string(count);
   EXPECT_EQ(counts + '\t' + std::to_string(successors) + '\t' + std::to_string(branchings),
             GetParam().counts);
-  EXPECT_EQ(mtg.notes.size(), GetParam().notes) << testing::PrintToString(mtg.notes);
+  EXPECT_EQ(mtg.notes.size(), GetParam().notes) << testing::PrintToString(eachInEnglish(mtg.notes));
 }
 
 TEST_P(HandTypedMtg, IsSavedUnchangedIfNothingWasEdited) {

@@ -58,7 +58,7 @@ std::vector<std::string> valuesOf(const Mtg& mtg) {
 
 /// Notes but that on the feature radius, which `mtgText` does not declare.
 std::vector<std::string> notesOf(const std::string& rows, const MtgReadOptions& options = {}) {
-  std::vector<std::string> notes = importText(mtgText(rows), options).notes;
+  std::vector<std::string> notes = eachInEnglish(importText(mtgText(rows), options).notes);
   std::erase_if(notes, [](const std::string& note) { return note.find("'radius'") < note.size(); });
   return notes;
 }
@@ -152,7 +152,8 @@ TEST(MtgAliases, SurviveWriting) {
 TEST(MtgAliases, GivenTwiceAreNoted) {
   const auto mtg = importText(textWithAlias("/P1\t\tx\n/P2\t\tx\n(x)/A1\n"));
   EXPECT_EQ(shapeOf(mtg.value), "P1 P2 A1(P2)");
-  EXPECT_THAT(mtg.notes, testing::ElementsAre(testing::HasSubstr("line 13, column 3: the alias")));
+  EXPECT_THAT(eachInEnglish(mtg.notes),
+              testing::ElementsAre(testing::HasSubstr("line 13, column 3: the alias")));
 }
 
 TEST(MtgDates, SayMoreOfTheLastVertexOfTheirColumn) {
@@ -189,8 +190,8 @@ TEST(MtgDialects, FollowTheSpecificationWhereThatMakesAPlant) {
   EXPECT_EQ(shapeOfRows(shiftedRows), "P1 A1(P1) E1(A1) E3(A1)+E1 E4(A1)<E1");
   EXPECT_THAT(notesOf(shiftedRows),
               testing::ElementsAre(
-                  testing::HasSubstr("1 codes with < but no ^ stand below others of their column, "
-                                     "the first in line 23: they follow the column before")));
+                  testing::HasSubstr("1 code with < but no ^ stands below another of its column, "
+                                     "in line 23: it follows the column before")));
 }
 
 TEST(MtgDialects, CanBeAskedFor) {
@@ -291,7 +292,7 @@ TEST(MtgRepairs, AreCountedBeyondTheFirstTwenty) {
     ranges += "^<<E1\n";
   const auto counted = importText(mtgText(ranges)).notes;
   EXPECT_EQ(counted.size(), 21U);
-  EXPECT_THAT(counted.back(), testing::HasSubstr("11 more places were repaired"));
+  EXPECT_THAT(inEnglish(counted.back()), testing::HasSubstr("11 more places were repaired"));
 }
 
 TEST(MtgScene, IsAVertexWhereTheFileNamesIt) {
@@ -316,7 +317,7 @@ TEST(MtgComments, EndAtTheNextTab) {
 TEST(MtgComments, TakeTheWholeLineThatTheyBegin) {
   EXPECT_EQ(shapeOfRows("/P1\n# no\t+A9\n"), "P1");
   EXPECT_THAT(notesOf("/P1\n# no\t+A9\n"),
-              testing::ElementsAre(testing::HasSubstr("1 lines begin")));
+              testing::ElementsAre(testing::HasSubstr("1 line begins")));
 }
 
 TEST(MtgComments, MaySpanLines) {
@@ -347,7 +348,8 @@ TEST(MtgEncoding, MayHaveLineEndsOfWindowsOrOfOldMacs) {
 TEST(MtgEncoding, TakesOtherBytesForLatin1) {
   const auto mtg = importText(mtgText("/P1\t\t\t1\t2\t3\tch\xEAne\n"));
   EXPECT_EQ(mtg.value.vertices[0].values[3], "ch\xC3\xAAne");
-  EXPECT_THAT(mtg.notes, testing::Contains("plant.mtg: is no UTF-8 and is read as Latin-1"));
+  EXPECT_THAT(eachInEnglish(mtg.notes),
+              testing::Contains("plant.mtg: is no UTF-8 and is read as Latin-1"));
   EXPECT_EQ(importText(mtgText("/P1\t\t\t1\t2\t3\tch\xC3\xAAne\n")).value, mtg.value);
 }
 

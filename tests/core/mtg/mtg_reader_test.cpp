@@ -76,7 +76,12 @@ TEST(ReadMtg, PassesOverCommentsAndEmptyLines) {
 
 TEST(ReadMtg, NotesValuesWithoutAColumn) {
   const Imported<Mtg> mtg = readMtgRows("/P1\t\t\t1\t2\t3\t4\t5\n");
-  EXPECT_THAT(mtg.notes, testing::Contains(testing::HasSubstr("1 values stand in columns")));
+  EXPECT_THAT(eachInEnglish(mtg.notes),
+              testing::Contains("plant.mtg: 1 value stands in a column without a name and is left "
+                                "out"));
+  EXPECT_THAT(eachInEnglish(readMtgRows("/P1\t\t\t1\t2\t3\t4\t5\t6\n").notes),
+              testing::Contains("plant.mtg: 2 values stand in columns without a name and are left "
+                                "out"));
 }
 
 TEST(ReadMtg, NamesTheCellThatIsWrong) {

@@ -62,7 +62,7 @@ TEST_P(MtgSample, HasItsVerticesAndEdges) {
       GetParam().counts.empty() ? countsOfOpenAlea(table, GetParam().file) : GetParam().counts;
   const Imported<Mtg> mtg = readSample(path);
   EXPECT_EQ(countsOf(mtg.value), expected);
-  EXPECT_EQ(mtg.notes.size(), GetParam().notes) << testing::PrintToString(mtg.notes);
+  EXPECT_EQ(mtg.notes.size(), GetParam().notes) << testing::PrintToString(eachInEnglish(mtg.notes));
 }
 
 TEST_P(MtgSample, SurvivesReadingAndWriting) {

@@ -51,8 +51,9 @@ TEST(SkeletonOf, PutsVerticesWithoutPositionBetweenTheirNeighbors) {
       skeletonOfRows("/P1/A1/E1\t\t\t0\t0\t0\n\t+E2\n\t^<E3\t\t2\t2\t4\n");
   ASSERT_EQ(plant.value.size(), 3U);
   EXPECT_EQ(plant.value[NodeId{1}].position, Eigen::Vector3d(1, 1, 2));
-  EXPECT_THAT(plant.notes, testing::ElementsAre("plant.mtg: 1 vertex has no position and is put "
-                                                "evenly between neighbors"));
+  EXPECT_THAT(eachInEnglish(plant.notes),
+              testing::ElementsAre("plant.mtg: 1 vertex has no position and is put "
+                                   "evenly between neighbors"));
 }
 
 // E2 bears E3 but has no position, nor a successor: E3 comes to be attached to E1.
@@ -62,7 +63,7 @@ TEST(SkeletonOf, PassesOverVerticesWithoutPosition) {
   ASSERT_EQ(plant.value.size(), 2U);
   EXPECT_EQ(plant.value[NodeId{1}].parent, NodeId{0});
   EXPECT_EQ(plant.value[NodeId{1}].edge, EdgeType::branching);
-  EXPECT_THAT(plant.notes,
+  EXPECT_THAT(eachInEnglish(plant.notes),
               testing::ElementsAre("plant.mtg: 1 vertex has no position and is passed over"));
 }
 
@@ -76,7 +77,8 @@ TEST(SkeletonOf, ReadsXyzAndHalvesTheDiameter) {
 TEST(SkeletonOf, TakesNegativeRadiiAsNotKnown) {
   const Imported<Skeleton> plant = skeletonOfRows("/P1\t\t\t1\t2\t3\t-4\n");
   EXPECT_EQ(plant.value[NodeId{0}].radius, 0);
-  EXPECT_THAT(plant.notes, testing::ElementsAre(testing::HasSubstr("1 radius is negative")));
+  EXPECT_THAT(eachInEnglish(plant.notes),
+              testing::ElementsAre(testing::HasSubstr("1 radius is negative")));
 }
 
 TEST(SkeletonOf, RefusesAPlantWithoutPositions) {

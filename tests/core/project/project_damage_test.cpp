@@ -68,7 +68,8 @@ TEST(DamagedProject, GivesTheVersionsThatCanBeRead) {
   const auto read = Project::open(file, Access::readOnly).versions();
   EXPECT_EQ(read.value.size(), 2U);
   ASSERT_EQ(read.notes.size(), 1U);
-  EXPECT_THAT(read.notes[0], HasSubstr("its version 'two' is damaged: the others can be read"));
+  EXPECT_THAT(inEnglish(read.notes[0]),
+              HasSubstr("its version 'two' is damaged: the others can be read"));
   EXPECT_THAT(Project::open(file, Access::readOnly).history().notes, testing::IsEmpty())
       << "the plant is whole";
 }
@@ -93,7 +94,7 @@ TEST(DamagedProject, GivesThePlantUpToTheLastGoodStep) {
   EXPECT_EQ(read.value.steps.size(), 7U);
   EXPECT_EQ(read.value.skeleton[NodeId{2}].radius, 7);
   ASSERT_EQ(read.notes.size(), 1U);
-  EXPECT_THAT(read.notes[0], HasSubstr("after 7 of 10 edits"));
+  EXPECT_THAT(inEnglish(read.notes[0]), HasSubstr("after 7 of 10 edits"));
 }
 
 TEST(DamagedProject, KeepsThePlantIfASnapshotStandsBehindTheBadStep) {

@@ -47,7 +47,7 @@ struct WorklistTest : testing::Test {
         const Project read = Project::open(each, Access::readOnly);
         known[each] = {.state = workState(read, read.lastWork().value)};
       } catch (const Error& error) {
-        known[each] = {.problem = error.what()};
+        known[each] = {.problem = messageOf(error)};
       }
     }
     for (const fs::path& each : scansToHash(list, known))
@@ -126,8 +126,9 @@ TEST_F(WorklistTest, KnowsAPlantThatIsListedByItsProjectAndByItsScan) {
   project("a.espalier", scan("a.xyz"), "Anna");
   const std::vector<WorklistRow> found = rows(write("list.csv", "file\na.xyz\na.espalier\n"));
   ASSERT_EQ(found.size(), 2U);
-  EXPECT_THAT(found[0].problem, IsEmpty());
-  EXPECT_THAT(found[1].problem, HasSubstr("a line before means this plant, too"));
+  EXPECT_FALSE(found[0].problem);
+  EXPECT_THAT(inEnglish(found[1].problem.value()),
+              HasSubstr("a line before means this plant, too"));
 }
 
 TEST_F(WorklistTest, OfATableWaitsForTheProjectOfTheAnnotator) {
@@ -154,13 +155,15 @@ TEST_F(WorklistTest, TakesALinkForTheFileItLeadsTo) {
 TEST_F(WorklistTest, SaysWhatIsWrongWithAScan) {
   const fs::path of = scan("a.xyz");
   const Worklist list = readWorklist(folder);
-  EXPECT_EQ(rowsOf(list, {{of, {.problem = "it is broken"}}}).front().problem, "it is broken");
+  const ShownMessage problem{"it is broken"};
+  EXPECT_EQ(rowsOf(list, {{of, {.problem = problem}}}).front().problem, problem);
 }
 
 TEST_F(WorklistTest, SaysThatANameIsNoUtf8) {
   write("\xff.xyz", "0 0 0\n");
-  EXPECT_THAT(rows(folder).front().problem, HasSubstr("its name is no UTF-8: rename it"));
-  EXPECT_THAT(rows(write("list.csv", "file\n\xff.xyz\n")).front().problem,
+  EXPECT_THAT(inEnglish(rows(folder).front().problem.value()),
+              HasSubstr("its name is no UTF-8: rename it"));
+  EXPECT_THAT(inEnglish(rows(write("list.csv", "file\n\xff.xyz\n")).front().problem.value()),
               HasSubstr("is no UTF-8: rename the file"));
 }
 
@@ -174,7 +177,8 @@ TEST_F(WorklistTest, KeepsTheBeginningOfLongFields) {
   EXPECT_EQ(found[0].others[0], std::string(200, 'x') + "…");
   EXPECT_EQ(found[0].others[1], std::string(199, 'y') + "…") << "no letter is cut in two";
   found = rows(write("list.csv", "file,annotator\na.xyz," + longNote + "\n"));
-  EXPECT_THAT(found[0].problem, HasSubstr("line 2: the annotator has over 200 bytes"));
+  EXPECT_THAT(inEnglish(found[0].problem.value()),
+              HasSubstr("line 2: the annotator has over 200 bytes"));
   EXPECT_LT(found[0].annotator.size(), 300U);
 }
 
@@ -204,9 +208,9 @@ TEST_F(WorklistTest, ADamagedProjectIsARowThatSaysSo) {
   write("b.espalier", "no project");
   const std::vector<WorklistRow> found = rows(folder);
   ASSERT_EQ(found.size(), 2U);
-  EXPECT_THAT(found[1].problem, HasSubstr("is no project of Espalier"));
+  EXPECT_THAT(inEnglish(found[1].problem.value()), HasSubstr("is no project of Espalier"));
   EXPECT_FALSE(found[1].state);
-  EXPECT_THAT(found[0].problem, IsEmpty());
+  EXPECT_FALSE(found[0].problem);
 }
 
 TEST_F(WorklistTest, OfATableHasItsLinesWithWhatTheySayBeside) {
@@ -253,14 +257,18 @@ TEST_F(WorklistTest, ALineThatCannotBeUsedSaysWhyAndTheRestGoesOn) {
                                            "a.xyz\n");
   const std::vector<WorklistRow> found = rows(table);
   ASSERT_EQ(found.size(), 5U);
-  EXPECT_EQ(found[0].problem, "list.csv, line 2: there is no file 'missing.las': correct its "
-                              "name, or take the line out");
-  EXPECT_EQ(found[1].problem, "list.csv, line 3: no file is named: write a project or a scan");
-  EXPECT_EQ(found[2].problem, "list.csv, line 4: 'plant.mtg' is neither a project nor a scan: "
-                              "name one of these");
-  EXPECT_THAT(found[3].problem, IsEmpty());
+  EXPECT_EQ(inEnglish(found[0].problem.value()),
+            "list.csv, line 2: there is no file 'missing.las': correct its "
+            "name, or take the line out");
+  EXPECT_EQ(inEnglish(found[1].problem.value()),
+            "list.csv, line 3: no file is named: write a project or a scan");
+  EXPECT_EQ(inEnglish(found[2].problem.value()),
+            "list.csv, line 4: 'plant.mtg' is neither a project nor a scan: "
+            "name one of these");
+  EXPECT_FALSE(found[3].problem);
   EXPECT_EQ(found[3].file().filename(), "a.xyz");
-  EXPECT_EQ(found[4].problem, "list.csv, line 6: 'a.xyz' came before: take the line out");
+  EXPECT_EQ(inEnglish(found[4].problem.value()),
+            "list.csv, line 6: 'a.xyz' came before: take the line out");
 }
 
 TEST_F(WorklistTest, RefusesAPlaceWithoutAPlant) {

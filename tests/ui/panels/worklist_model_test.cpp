@@ -23,7 +23,7 @@ TEST(WorklistModel, SaysHowFarEachPlantIs) {
   ListedPlant unread = plantOf("e.espalier", WorkStage::toDo);
   unread.row.isRead = false;
   ListedPlant broken = plantOf("f.espalier", WorkStage::toDo);
-  broken.row.problem = "/plants/f.espalier: is damaged: take a copy";
+  broken.row.problem = ShownMessage{"is damaged: take a copy", {}, FilePlace{"/plants/f.espalier"}};
   model.show({plantOf("a.espalier", WorkStage::toDo), plantOf("b.espalier", WorkStage::automatic),
               plantOf("c.espalier", WorkStage::inReview),
               plantOf("d.espalier", WorkStage::finished), unread, broken},
@@ -105,13 +105,14 @@ TEST(WorklistModel, ShowsEachCellOnOneLineAndNotTooLong) {
     EXPECT_LT(cell(model, column).size(), 300) << column;
     EXPECT_LT(model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString().size(), 300);
   }
-  plant.row.problem = endless;
+  plant.row.problem = ShownMessage{endless};
   model.show({plant}, {});
   EXPECT_LT(cell(model, WorklistModel::stateColumn).size(), 300);
 }
 
 TEST(WorklistModel, LeavesTheNameOfATableAsItIs) {
-  const WorklistRow row{.problem = "my list.csv, line 3: no file is named"};
+  const WorklistRow row{.problem =
+                            ShownMessage{"no file is named", {}, FilePlace{"my list.csv", 3}}};
   EXPECT_EQ(stateText(row), "my list.csv, line 3: no file is named");
 }
 

@@ -1,3 +1,4 @@
+#include "core/base/shown_message.h"
 #include "core/io/formats.h"
 #include "core/io/plantgl/bgeom.h"
 #include "tests/core/io/plantgl/bgeom_writer.h"
@@ -52,8 +53,9 @@ TEST(ReadBgeom, MovesAndScalesPointsAndKeepsTheirColors) {
   EXPECT_EQ(points.value.positions, (Points{{11, 2, 3}, {14, 5, 6}, {1, 2, 3}, {4, 5, 6}}));
   EXPECT_THAT(points.value.colors, ElementsAre(Color{10, 20, 30}, Color{40, 50, 60},
                                                Color{10, 20, 30}, Color{40, 50, 60}));
-  EXPECT_THAT(points.notes, ElementsAre("oak.bgeom: objects that are no point sets are passed "
-                                        "over: 'Sphere'"));
+  EXPECT_THAT(eachInEnglish(points.notes),
+              ElementsAre("oak.bgeom: objects that are no point sets are passed "
+                          "over: 'Sphere'"));
 }
 
 // A point at x is first scaled, then moved, then scaled again: 2 (3 x + 10).
@@ -80,7 +82,8 @@ TEST(ReadBgeom, DropsColorsThatDoNotMatchThePoints) {
       importBgeom(out.file(out.shapeOf(out.points({1, 1, 1, 2, 2, 2}, {{1, 2, 3}}))));
   EXPECT_EQ(points.value.positions.size(), 2U);
   EXPECT_THAT(points.value.colors, IsEmpty());
-  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("1 point set has another number of colors")));
+  EXPECT_THAT(eachInEnglish(points.notes),
+              ElementsAre(HasSubstr("1 point set has another number of colors")));
 }
 
 TEST(ReadBgeom, PassesOverMeshesAndMaterialsOfAnyKind) {
@@ -98,7 +101,7 @@ TEST(ReadBgeom, PassesOverMeshesAndMaterialsOfAnyKind) {
   const Imported<RawPoints> points =
       importBgeom(out.file(shape + material + out.shapeOf(out.points({1, 2, 3}))));
   EXPECT_EQ(points.value.positions, (Points{{1, 2, 3}}));
-  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("passed over: 'TriangleSet'")));
+  EXPECT_THAT(eachInEnglish(points.notes), ElementsAre(HasSubstr("passed over: 'TriangleSet'")));
 }
 
 constexpr double quarter = std::numbers::pi / 2;
@@ -149,8 +152,9 @@ TEST(ReadBgeom, LeavesOutPointsThatTheSceneBendsOrTurnsInNoClearWay) {
   const Imported<RawPoints> points = importBgeom(
       out.file(out.shapeOf(bent) + out.shapeOf(unclear) + out.shapeOf(out.points({4, 5, 6}))));
   EXPECT_EQ(points.value.positions, (Points{{4, 5, 6}}));
-  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("passed over: 'Tapered'"),
-                                        HasSubstr("2 points in objects that the scene bends")));
+  EXPECT_THAT(eachInEnglish(points.notes),
+              ElementsAre(HasSubstr("passed over: 'Tapered'"),
+                          HasSubstr("2 points in objects that the scene bends")));
 }
 
 TEST(ReadBgeom, RefusesWhatItCannotRead) {

@@ -1,3 +1,4 @@
+#include "core/base/shown_message.h"
 #include "core/io/formats.h"
 #include "core/io/plantgl/bmtg.h"
 #include "core/mtg/mtg_skeleton.h"
@@ -83,8 +84,9 @@ TEST(ReadBmtg, LeavesOutValuesOfErasedVertices) {
   mtg.labels[99] = "N";
   const Imported<Mtg> plant = importBmtg(pickled(mtg));
   EXPECT_EQ(plant.value.vertices.size(), 5U);
-  EXPECT_THAT(plant.notes, ElementsAre("oak.bmtg: 2 values are of vertices that were erased: left "
-                                       "out"));
+  EXPECT_THAT(eachInEnglish(plant.notes),
+              ElementsAre("oak.bmtg: 2 values are of vertices that were erased: left "
+                          "out"));
 }
 
 TEST(ReadBmtg, TakesAnUnclearEdgeAsSuccessorIfThereIsNoOther) {
@@ -94,7 +96,7 @@ TEST(ReadBmtg, TakesAnUnclearEdgeAsSuccessorIfThereIsNoOther) {
   EXPECT_EQ(plant.value.vertices[2].edge, EdgeType::successor);
   EXPECT_EQ(plant.value.vertices[3].edge, EdgeType::branching);
   EXPECT_EQ(plant.value.vertices[4].edge, EdgeType::successor);
-  EXPECT_THAT(plant.notes, ElementsAre(HasSubstr("2 edges are neither < nor +")));
+  EXPECT_THAT(eachInEnglish(plant.notes), ElementsAre(HasSubstr("2 edges are neither < nor +")));
 }
 
 TEST(ReadBmtg, NotesSeveralSuccessorsAndNodesAtOnePlace) {
@@ -103,8 +105,9 @@ TEST(ReadBmtg, NotesSeveralSuccessorsAndNodesAtOnePlace) {
   mtg.positions[5] = mtg.positions[3];
   const Imported<Mtg> plant = importBmtg(pickled(mtg));
   EXPECT_EQ(plant.value.vertices[4].edge, EdgeType::successor);
-  EXPECT_THAT(plant.notes, ElementsAre(HasSubstr("1 vertex has more than one successor"),
-                                       HasSubstr("1 vertex lies where its parent lies")));
+  EXPECT_THAT(eachInEnglish(plant.notes),
+              ElementsAre(HasSubstr("1 vertex has more than one successor"),
+                          HasSubstr("1 vertex lies where its parent lies")));
 }
 
 TEST(ReadBmtg, GivesASymbolOfTwoScalesASecondName) {
@@ -114,7 +117,7 @@ TEST(ReadBmtg, GivesASymbolOfTwoScalesASecondName) {
   EXPECT_EQ(plant.value.vertices[0].symbol, "B");
   EXPECT_EQ(plant.value.vertices[3].symbol, "BB");
   EXPECT_EQ(plant.value.vertices[4].symbol, "N");
-  EXPECT_THAT(plant.notes,
+  EXPECT_THAT(eachInEnglish(plant.notes),
               ElementsAre(HasSubstr("1 vertex has no label"),
                           HasSubstr("label B is used on several scales, and becomes BB on scale "
                                     "2")));
@@ -142,9 +145,10 @@ TEST(ReadBmtg, LeavesOutWhatAnMtgCannotHold) {
   mtg.extra["tabs"] = {{2, PickleWriter::text("a\tb")}, {3, PickleWriter::text("c")}};
   mtg.extra["wide"] = {{2, PickleWriter::real(std::numeric_limits<double>::infinity())}};
   const Imported<Mtg> plant = importBmtg(pickled(mtg));
-  EXPECT_THAT(plant.notes, AllOf(Contains(HasSubstr("property 'bad name' is left out")),
-                                 Contains(HasSubstr("property 'xx' is left out")),
-                                 Contains(HasSubstr("3 values are not finite, or of a kind"))));
+  EXPECT_THAT(eachInEnglish(plant.notes),
+              AllOf(Contains(HasSubstr("property 'bad name' is left out")),
+                    Contains(HasSubstr("property 'xx' is left out")),
+                    Contains(HasSubstr("3 values are not finite, or of a kind"))));
 }
 
 TEST(ReadBmtg, RefusesTablesThatAreNoPlant) {
@@ -215,7 +219,7 @@ TEST(ReadBmtg, EqualsTheSamePlantAsText) {
   EXPECT_EQ(plant.value.skeleton.size(), 208U);
   EXPECT_EQ(test::canonical(test::withoutEntities(rounded(plant.value.skeleton))),
             test::canonical(test::withoutEntities(readStructure(text).value.skeleton)));
-  EXPECT_THAT(plant.notes, Contains(HasSubstr("label B is used on several scales")));
+  EXPECT_THAT(eachInEnglish(plant.notes), Contains(HasSubstr("label B is used on several scales")));
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "core/base/shown_message.h"
 #include "core/io/plantgl/bgeom.h"
 #include "core/io/plantgl/geom.h"
 #include "tests/core/io/plantgl/bgeom_writer.h"
@@ -63,7 +64,8 @@ TEST(ReadGeom, DropsColorsThatDoNotMatchThePoints) {
       importGeom("PointSet a { PointList [OX, OY] ColorList [Red] }");
   EXPECT_EQ(points.value.positions.size(), 2U);
   EXPECT_THAT(points.value.colors, IsEmpty());
-  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("1 point set has another number of colors")));
+  EXPECT_THAT(eachInEnglish(points.notes),
+              ElementsAre(HasSubstr("1 point set has another number of colors")));
 }
 
 // A point at x is first scaled, then moved, then scaled again: 2 (3 x + 10).
@@ -92,8 +94,9 @@ TEST(ReadGeom, LeavesOutPointsThatTheSceneBendsOrTurnsInNoClearWay) {
                  "Oriented c { Primary <1,1,0> Geometry PointSet { PointList [OX] } } "
                  "PointSet d { PointList [<4,5,6>] }");
   EXPECT_EQ(points.value.positions, (Points{{4, 5, 6}}));
-  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("passed over: 'Tapered'"),
-                                        HasSubstr("3 points in objects that the scene bends")));
+  EXPECT_THAT(eachInEnglish(points.notes),
+              ElementsAre(HasSubstr("passed over: 'Tapered'"),
+                          HasSubstr("3 points in objects that the scene bends")));
 }
 
 TEST(ReadGeom, TakesShapesAloneWhereThereAreSome) {
@@ -109,7 +112,7 @@ TEST(ReadGeom, LeavesOutShapesOfAnInnerScene) {
       "Inline i { Translation <9,9,9> Scene { PointSet a { PointList [OX] } Shape s { Geometry a } "
       "} } Shape t { Geometry PointSet { PointList [OY] } }");
   EXPECT_EQ(points.value.positions, (Points{{0, 1, 0}}));
-  EXPECT_THAT(points.notes,
+  EXPECT_THAT(eachInEnglish(points.notes),
               ElementsAre(HasSubstr("passed over: 'Inline'"), HasSubstr("1 point in")));
 }
 
@@ -121,7 +124,7 @@ TEST(ReadGeom, PassesOverWhatLeadsToNoPoints) {
       "Group g { Skeleton Polyline { PointList [OX] } GeometryList [ PointSet { PointList [OZ] } ] "
       "}");
   EXPECT_EQ(points.value.positions, (Points{{0, 0, 1}}));
-  EXPECT_THAT(points.notes,
+  EXPECT_THAT(eachInEnglish(points.notes),
               ElementsAre(HasSubstr("passed over: 'Extrusion', 'Polyline', 'Polyline2D', "
                                     "'Text'")));
 }
@@ -140,7 +143,8 @@ TEST(ReadGeom, RefusesWhatItCannotReadAndNamesTheLine) {
   EXPECT_THAT(refusalOfGeom("Text t { String \"no end\n\" }"), HasSubstr("line 1: a quoted text"));
   EXPECT_THAT(refusalOfGeom(":include other.geom"), HasSubstr("':include' is not read"));
   EXPECT_THAT(refusalOfGeom(":define x(a) { a }"), HasSubstr("':define' is not read"));
-  EXPECT_THAT(refusalOfGeom("PointSet a { PointList [OX]"), HasSubstr("ends where a field or }"));
+  EXPECT_THAT(refusalOfGeom("PointSet a { PointList [OX]"),
+              HasSubstr("line 1: ends within an object"));
 }
 
 TEST(ReadGeom, ReadsOrRefusesAFileCutShortAnywhere) {

@@ -1,3 +1,4 @@
+#include "core/base/shown_message.h"
 #include "core/io/formats.h"
 #include "core/io/points/e57.h"
 #include "tests/core/io/points/e57_writer.h"
@@ -124,8 +125,9 @@ TEST(ReadE57, TurnsAndMovesEachStationByItsPose) {
   EXPECT_THAT(points.value.stationOf, ElementsAre(0, 0, 1, 1));
   EXPECT_THAT(points.value.stations, ElementsAre(Station{"station 1", Eigen::Vector3d(10, 20, 30)},
                                                  Station{"station 2", std::nullopt}));
-  EXPECT_THAT(points.notes, ElementsAre("tree.e57: holds 2 stations, which are joined into one set "
-                                        "of points"));
+  EXPECT_THAT(eachInEnglish(points.notes),
+              ElementsAre("tree.e57: holds 2 stations, which are joined into one set "
+                          "of points"));
 }
 
 TEST(ReadE57, MovesOnlyWhereTheRotationIsNone) {
@@ -133,7 +135,8 @@ TEST(ReadE57, MovesOnlyWhereTheRotationIsNone) {
                          .more = test::e57Pose(0, 0, 0, 0, 10, 20, 30)};
   const Imported<RawPoints> points = importE57(e57File({sample}));
   EXPECT_THAT(points.value.positions, ElementsAre(Eigen::Vector3d(11, 22, 33)));
-  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("the rotation of station 1 is no unit")));
+  EXPECT_THAT(eachInEnglish(points.notes),
+              ElementsAre(HasSubstr("the rotation of station 1 is no unit")));
 }
 
 TEST(ReadE57, TurnsSphericalPositionsIntoCartesian) {
@@ -153,8 +156,9 @@ TEST(ReadE57, LeavesOutPointsWhosePositionIsInvalid) {
                         {"cartesianInvalidState", E57Packing::integer, {0, 2, 1}, 0, 2});
   const Imported<RawPoints> points = importE57(e57File({sample}));
   EXPECT_THAT(points.value.positions, ElementsAre(Eigen::Vector3d(1, 0, 0)));
-  EXPECT_THAT(points.notes, ElementsAre("tree.e57: 2 of 3 points are marked as having no position "
-                                        "and are left out"));
+  EXPECT_THAT(eachInEnglish(points.notes),
+              ElementsAre("tree.e57: 2 of 3 points are marked as having no position "
+                          "and are left out"));
 }
 
 /// Two points of this color, black and the brightest.
@@ -191,7 +195,7 @@ TEST(ReadE57, ShowsWhatSomeStationsLack) {
   const Imported<RawPoints> points = importE57(e57File({intense, colored}));
   EXPECT_THAT(points.value.intensities, ElementsAre(0.5F, 7.0F, 0.0F, 0.0F));
   EXPECT_THAT(points.value.colors, ElementsAre(Color{}, Color{}, Color{}, Color{255, 255, 255}));
-  EXPECT_THAT(points.notes,
+  EXPECT_THAT(eachInEnglish(points.notes),
               ElementsAre(HasSubstr("2 stations"),
                           "tree.e57: no colors in 1 of 2 stations: points there are black",
                           "tree.e57: no intensities in 1 of 2 stations: those of points there "

@@ -1,3 +1,4 @@
+#include "core/base/shown_message.h"
 #include "core/io/points/las.h"
 #include "tests/core/io/samples.h"
 
@@ -66,8 +67,9 @@ TEST_P(ReadLasOfAnyKind, LeavesOutWithheldPoints) {
     return;
   }
   EXPECT_EQ(points.value.positions.size(), 2U);
-  EXPECT_THAT(points.notes, testing::ElementsAre("tree.las: 1 of 3 points are flagged as withheld "
-                                                 "and are left out"));
+  EXPECT_THAT(eachInEnglish(points.notes),
+              testing::ElementsAre("tree.las: 1 of 3 points are flagged as withheld "
+                                   "and are left out"));
 }
 
 TEST_P(ReadLasOfAnyKind, RefusesAFileCutShort) {

@@ -1,4 +1,5 @@
 #include "core/base/random.h"
+#include "core/base/shown_message.h"
 #include "core/io/points/ply.h"
 #include "tests/core/io/samples.h"
 
@@ -78,7 +79,7 @@ TEST_P(ReadPlyOfEitherOrder, TakesAnyTypesAndPassesOverTheRest) {
   EXPECT_THAT(points.value.colors,
               ElementsAre(Color{10, 20, 30}, Color{11, 20, 30}, Color{12, 20, 30}));
   EXPECT_THAT(points.value.intensities, ElementsAre(0.0F, 0.5F, 1.0F));
-  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("is a mesh: 1 face left out")));
+  EXPECT_THAT(eachInEnglish(points.notes), ElementsAre(HasSubstr("is a mesh: 1 face left out")));
 }
 
 TEST_P(ReadPlyOfEitherOrder, RefusesAFileCutShortAnywhereInItsPoints) {

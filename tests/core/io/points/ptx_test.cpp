@@ -1,3 +1,4 @@
+#include "core/base/shown_message.h"
 #include "core/io/points/ptx.h"
 #include "tests/core/io/samples.h"
 
@@ -37,7 +38,7 @@ TEST(ReadPtx, MultipliesPointsAsRowsByTheMatrixOfTheirBlock) {
   EXPECT_THAT(points.value.intensities, ElementsAre(0.5F, 0.25F, 1.0F, 0.5F, 0.25F, 0.0F, 1.0F));
   EXPECT_THAT(points.value.colors, ElementsAre(Color{10, 20, 30}, Color{1, 2, 3}, Color{255, 0, 0},
                                                Color{}, Color{}, Color{}, Color{}));
-  EXPECT_THAT(points.notes,
+  EXPECT_THAT(eachInEnglish(points.notes),
               ElementsAre("tree.ptx: holds 2 stations, which are joined into one set of points",
                           "tree.ptx: no colors in 1 of 2 stations: points there are black",
                           "tree.ptx: 1 of 8 points have no return (0 0 0) and are left out"));

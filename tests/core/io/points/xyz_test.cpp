@@ -1,4 +1,5 @@
 #include "core/base/random.h"
+#include "core/base/shown_message.h"
 #include "core/io/points/xyz.h"
 #include "tests/core/io/samples.h"
 
@@ -92,7 +93,7 @@ TEST(ReadXyz, NotesColumnsThatItLeavesOut) { // normals
   const Imported<RawPoints> points = importXyz("1 2 3 0.5 0.5 0.7\n4 5 6 0.1 0.2 0.9\n");
   EXPECT_THAT(points.value.intensities, IsEmpty());
   EXPECT_THAT(points.value.colors, IsEmpty());
-  EXPECT_THAT(points.notes, ElementsAre(HasSubstr("3 of 6 columns are left out")));
+  EXPECT_THAT(eachInEnglish(points.notes), ElementsAre(HasSubstr("3 of 6 columns are left out")));
 }
 
 TEST(ReadXyz, TakesColumnsByName) {
@@ -108,7 +109,7 @@ TEST(ReadXyz, TakesColumnsByName) {
 }
 
 TEST(ReadXyz, NotesACountThatDoesNotHold) {
-  EXPECT_THAT(importXyz("3\n1 2 3\n4 5 6\n", "oak.pts").notes,
+  EXPECT_THAT(eachInEnglish(importXyz("3\n1 2 3\n4 5 6\n", "oak.pts").notes),
               ElementsAre("oak.pts: promises 3 points, but lists 2"));
   EXPECT_EQ(importXyz("1000000000000\n1 2 3\n", "oak.pts").value.positions.size(), 1U);
 }

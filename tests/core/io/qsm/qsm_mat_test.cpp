@@ -1,3 +1,4 @@
+#include "core/base/shown_message.h"
 #include "core/io/formats.h"
 #include "core/io/qsm/qsm_mat.h"
 #include "core/io/qsm/qsm_table.h"
@@ -89,7 +90,8 @@ TEST(ReadQsmMat, TakesTheFirstOfSeveralModelsAndSaysSo) {
   const std::string models = matStruct("QSM", {{"cylinder", cylinderWith("", {})}}, 3);
   const Imported<Skeleton> tree = importQsmMat(matFile({models}, true));
   EXPECT_EQ(test::canonical(tree.value), test::canonical(treeOfTable()));
-  EXPECT_THAT(tree.notes, ElementsAre("oak.mat: holds 3 models, of which the first is read"));
+  EXPECT_THAT(eachInEnglish(tree.notes),
+              ElementsAre("oak.mat: holds 3 models, of which the first is read"));
 }
 
 TEST(ReadQsmMat, DoesWithoutTheFieldsThatAreNotNeeded) {

@@ -1,3 +1,4 @@
+#include "core/base/shown_message.h"
 #include "core/io/formats.h"
 #include "core/io/qsm/qsm_table.h"
 #include "core/skeleton/assemble_axes.h"
@@ -46,8 +47,9 @@ Skeleton expectedTree() {
 TEST(ReadQsmTable, FindsTheTreeInTheTableOfTreeQsm) {
   const Imported<Skeleton> tree = importQsmTable(test::treeQsmTable());
   EXPECT_EQ(test::canonical(tree.value), test::canonical(expectedTree()));
-  EXPECT_THAT(tree.notes, ElementsAre("oak.csv: columns that are not kept: 'mad', 'SurfCov', "
-                                      "'added', 'UnmodRadius (m)'"));
+  EXPECT_THAT(eachInEnglish(tree.notes),
+              ElementsAre("oak.csv: columns that are not kept: 'mad', 'SurfCov', "
+                          "'added', 'UnmodRadius (m)'"));
 }
 
 TEST(ReadQsmTable, FindsItInTheTableWithoutNames) {
@@ -78,7 +80,8 @@ TEST(ReadQsmTable, TakesTheBranchOrElseTheFirstWithoutExtensions) {
       importQsmTable(names + "\n1;1;0;0;0;0;0;1;0\n1;1;0;0;1;1;0;0;1\n1;1;0;0;1;0;0;1;1\n");
   EXPECT_EQ(byOrder.value[NodeId{2}].edge, EdgeType::successor);
   EXPECT_EQ(byOrder.value[NodeId{3}].edge, EdgeType::branching);
-  EXPECT_THAT(byOrder.notes, ElementsAre(HasSubstr("does not say which cylinder continues")));
+  EXPECT_THAT(eachInEnglish(byOrder.notes),
+              ElementsAre(HasSubstr("does not say which cylinder continues")));
 }
 
 TEST(ReadQsmTable, NotesCylindersThatBeginElsewhereAndFalseExtensions) {
@@ -88,7 +91,7 @@ TEST(ReadQsmTable, NotesCylindersThatBeginElsewhereAndFalseExtensions) {
                      "0.1,1,0,0,1,1,0,0,1,9\n");
   EXPECT_EQ(tree.value[NodeId{2}].parent, NodeId{1});
   EXPECT_EQ(tree.value[NodeId{2}].edge, EdgeType::branching);
-  EXPECT_THAT(tree.notes,
+  EXPECT_THAT(eachInEnglish(tree.notes),
               ElementsAre(HasSubstr("1 cylinder begins farther than its radius from "
                                     "the end of the one that bears it, by up to 3;"),
                           HasSubstr("2 extensions are cylinders that are not attached")));

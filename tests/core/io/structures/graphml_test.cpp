@@ -1,3 +1,4 @@
+#include "core/base/shown_message.h"
 #include "core/io/structures/graphml.h"
 #include "tests/core/io/samples.h"
 #include "tests/support/canonical.h"
@@ -75,7 +76,7 @@ TEST(ReadGraphml, LetsTheChildThatCarriesMostContinueTheAxisWhereNoEdgeHasAType)
       importedGraphmlFile(graph(node("a", "0") + node("b", "1") + node("c", "2") + node("d", "3") +
                                 edge("a", "b") + edge("b", "c") + edge("b", "d")));
   EXPECT_EQ(plant.value[plant.value.children(NodeId{1}).front()].position.x(), 3);
-  EXPECT_THAT(plant.notes, Contains(HasSubstr("has no edge types")));
+  EXPECT_THAT(eachInEnglish(plant.notes), Contains(HasSubstr("has no edge types")));
 }
 
 TEST(ReadGraphml, TakesDirectedEdgesFromParentsToChildren) {
@@ -109,8 +110,9 @@ TEST(ReadGraphml, TakesWhatCatmaidExports) {
       "<edge id=\"e3\" directed=\"true\" source=\"n9\" target=\"n5\">"
       "<data key=\"pre_skid\">1</data></edge></graph></graphml>");
   EXPECT_THAT(chain(plant.value), testing::ElementsAre(0, 1, 2));
-  EXPECT_THAT(plant.notes, Contains(HasSubstr("1 directed edge among undirected ones")));
-  EXPECT_THAT(plant.notes, Contains(HasSubstr("'skeleton id' are left out")));
+  EXPECT_THAT(eachInEnglish(plant.notes),
+              Contains(HasSubstr("1 directed edge among undirected ones")));
+  EXPECT_THAT(eachInEnglish(plant.notes), Contains(HasSubstr("'skeleton id' are left out")));
 }
 
 TEST(ReadGraphml, TakesIdsOfAnyCharacters) {

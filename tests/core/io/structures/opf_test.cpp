@@ -1,3 +1,4 @@
+#include "core/base/shown_message.h"
 #include "core/io/structures/opf.h"
 #include "core/mtg/mtg_skeleton.h"
 #include "tests/core/io/samples.h"
@@ -112,7 +113,8 @@ TEST(ReadOpf, PlacesNodesAtTheUpperEndsOfTheirShapes) {
                                        "<follow class=\"N\" scale=\"1\" id=\"3\"><geometry>"
                                        "<mat>\n0 0 -1 1\n\t0 1 0 2\n\t10 0 0 10\n</mat></geometry>"
                                        "</follow></decomp>"));
-  EXPECT_THAT(mtg.notes, ElementsAre(HasSubstr("oak.opf: nodes are placed at the upper ends")));
+  EXPECT_THAT(eachInEnglish(mtg.notes),
+              ElementsAre(HasSubstr("oak.opf: nodes are placed at the upper ends")));
   const Skeleton plant = skeletonOf(mtg.value, "oak.opf").value;
   ASSERT_EQ(plant.size(), 2U);
   EXPECT_EQ(plant[NodeId{0}].position, Eigen::Vector3d(0, 0, 10));
@@ -152,7 +154,7 @@ TEST(ReadOpf, NamesTheLineThatIsWrong) {
   EXPECT_THAT(refusalOfOpf(start + "1 2 3" + end), HasSubstr("a matrix of 12 numbers, found 3"));
   EXPECT_THAT(refusalOfOpf(start + "1 2 3 4 5 6 7 8 9 10 11 12 13" + end), HasSubstr("found more"));
   EXPECT_THAT(refusalOfOpf(start + "1 2 three" + end),
-              HasSubstr("item of the matrix, found 'three'"));
+              HasSubstr("expected a number as mat, found 'three'"));
 }
 
 TEST(ReadOpf, RefusesFeaturesThatWouldFillTheMemory) {

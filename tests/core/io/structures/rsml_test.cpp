@@ -1,3 +1,4 @@
+#include "core/base/shown_message.h"
 #include "core/io/structures/rsml.h"
 #include "core/skeleton/assemble_axes.h"
 #include "tests/core/io/samples.h"
@@ -61,7 +62,8 @@ TEST(ReadRsml, TakesARootAsAnAxis) {
   EXPECT_EQ(plant.value[NodeId{1}],
             (Node{.position = {1, 0, 0}, .radius = 0.125, .parent = NodeId{0}}));
   EXPECT_EQ(plant.value[NodeId{2}], (Node{.position = {3, 0, 0}, .parent = NodeId{1}}));
-  EXPECT_THAT(plant.notes, ElementsAre("beet.rsml: its unit is 'cm', at a resolution of '1'"));
+  EXPECT_THAT(eachInEnglish(plant.notes),
+              ElementsAre("beet.rsml: its unit is 'cm', at a resolution of '1'"));
 }
 
 // The first point of the lateral lies on point 1 of the root that bears it: it is no node twice.
@@ -99,7 +101,7 @@ TEST(ReadRsml, TakesPointsOfTwoCoordinatesAndSaysSo) {
   const auto plant = importedRsmlFile(
       rsml("<root><geometry><polyline><point x=\"1\" y=\"2\"/></polyline></geometry></root>"));
   EXPECT_EQ(plant.value[NodeId{0}].position, Eigen::Vector3d(1, 2, 0));
-  EXPECT_THAT(plant.notes, Contains(HasSubstr("no z, which is taken as 0")));
+  EXPECT_THAT(eachInEnglish(plant.notes), Contains(HasSubstr("no z, which is taken as 0")));
 }
 
 TEST(ReadRsml, NotesWhatIsLeftOut) {
@@ -107,9 +109,11 @@ TEST(ReadRsml, NotesWhatIsLeftOut) {
                                            "<root id=\"bare\">" + root({5, 6}) + "</root>" +
                                            root({7, 8}, root({9}, parentNode("5")))));
   EXPECT_EQ(plant.value.roots().size(), 3U) << "what is within a root without polyline is read";
-  EXPECT_THAT(plant.notes, Contains("beet.rsml: its functions 'age' are left out"));
-  EXPECT_THAT(plant.notes, Contains("beet.rsml: 1 root has no polyline and is left out"));
-  EXPECT_THAT(plant.notes, Contains(HasSubstr("1 root names a parent-node that is not there")));
+  EXPECT_THAT(eachInEnglish(plant.notes), Contains("beet.rsml: its functions 'age' are left out"));
+  EXPECT_THAT(eachInEnglish(plant.notes),
+              Contains("beet.rsml: 1 root has no polyline and is left out"));
+  EXPECT_THAT(eachInEnglish(plant.notes),
+              Contains(HasSubstr("1 root names a parent-node that is not there")));
 }
 
 TEST(ReadRsml, NamesTheLineThatIsWrong) {

@@ -1,3 +1,4 @@
+#include "core/base/shown_message.h"
 #include "core/io/structures/treefile.h"
 #include "core/skeleton/assemble_axes.h"
 #include "tests/core/io/samples.h"
@@ -48,8 +49,9 @@ TEST(ReadTreefile, TakesOtherFieldsForTheFootThanForBranches) {
   ASSERT_EQ(plant.value.size(), 2U);
   EXPECT_EQ(plant.value[NodeId{1}].position, Eigen::Vector3d(1, 2, 4));
   EXPECT_EQ(plant.value[NodeId{1}].parent, NodeId{0});
-  EXPECT_THAT(plant.notes, ElementsAre(HasSubstr("has no edge types"),
-                                       "oak.txt: its fields 'height', 'section' are left out"));
+  EXPECT_THAT(eachInEnglish(plant.notes),
+              ElementsAre(HasSubstr("has no edge types"),
+                          "oak.txt: its fields 'height', 'section' are left out"));
 }
 
 TEST(ReadTreefile, TakesTrunksThatAreFeetOnly) {
@@ -120,7 +122,8 @@ TEST(ReadTreefile, TakesVeryManyFields) {
   }
   const Imported<Skeleton> trees = importedTreefileFile(names + '\n' + values + '\n');
   EXPECT_EQ(trees.value.size(), 1U);
-  EXPECT_THAT(trees.notes, testing::Contains(testing::HasSubstr("and 199990 more are left out")));
+  EXPECT_THAT(eachInEnglish(trees.notes),
+              testing::Contains(testing::HasSubstr(", + 199990 are left out")));
 }
 
 } // namespace

@@ -10,7 +10,7 @@ namespace espalier {
 namespace {
 
 // More would not fit the page.
-constexpr std::size_t mostComments = 4;
+constexpr std::size_t mostComments = 3;
 constexpr qsizetype longestComment = 80; // letters
 constexpr int figuresAcross = 5;
 

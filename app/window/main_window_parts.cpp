@@ -161,7 +161,8 @@ void MainWindow::makeReview() {
     from.referenceName = reference.name().toStdString();
   };
   parts_.make<SealFlow>(SealFlow::Parts{document_, *actions_, parts_.get<ProjectFlow>(), jobs_,
-                                        *banner_, *this, addKnown, isLeftOut});
+                                        *banner_, *this, addKnown, isLeftOut,
+                                        [this] { return parts_.get<DoubtsFlow>().questions(); }});
   auto& editing = parts_.get<Editing>();
   auto& distances = parts_.make<ScanDistances>(document_, queue_);
   auto& errors = parts_.make<ExpectedErrorsFlow>(ExpectedErrorsFlow::Parts{

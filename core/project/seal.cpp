@@ -76,6 +76,20 @@ ReviewRecord recordFrom(const Json& json) {
           .comments = json.at("comments").get<std::size_t>()};
 }
 
+Json jsonOf(const std::optional<SealedQuestions>& questions) {
+  if (!questions) return nullptr;
+  return {{"answered", questions->answered},
+          {"open", questions->open ? Json(*questions->open) : Json(nullptr)}};
+}
+
+std::optional<SealedQuestions> questionsFrom(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  const Json& open = json.at("open");
+  return SealedQuestions{.answered = json.at("answered").get<std::size_t>(),
+                         .open = open.is_null() ? std::nullopt
+                                                : std::optional(open.get<std::size_t>())};
+}
+
 Json jsonOf(const std::optional<SealedAgreement>& agreement) {
   if (!agreement) return nullptr;
   return {{"with", agreement->with},
@@ -106,6 +120,7 @@ Json jsonOf(const SealedState& state) {
           {"unexplained", state.unexplained},
           {"ignored_places", state.ignoredPlaces},
           {"ignored_points", state.ignoredPoints},
+          {"questions", jsonOf(state.questions)},
           {"automatic", jsonOf(state.automatic)},
           {"other", jsonOf(state.other)},
           {"reason", state.reason}};
@@ -118,6 +133,7 @@ SealedState stateFrom(const Json& json) {
           .unexplained = json.at("unexplained").get<std::size_t>(),
           .ignoredPlaces = json.value("ignored_places", std::size_t{0}), // none in older ones
           .ignoredPoints = json.value("ignored_points", std::size_t{0}),
+          .questions = questionsFrom(json.value("questions", Json())), // likewise
           .automatic = agreementFrom(json.at("automatic")),
           .other = agreementFrom(json.at("other")),
           .reason = json.at("reason").get<std::string>()};

@@ -22,6 +22,14 @@ struct SealedAgreement {
   bool operator==(const SealedAgreement&) const = default;
 };
 
+/// Questions about what was in doubt, which the program asks.
+struct SealedQuestions {
+  std::size_t answered = 0;             // by answers that held
+  std::optional<std::size_t> open = {}; // none: what is in doubt was not sought
+
+  bool operator==(const SealedQuestions&) const = default;
+};
+
 /// What stood against a structure, and what spoke for it, when it was signed.
 struct SealedState {
   std::map<std::string, std::size_t> findings; // that were open, by the names of their kinds
@@ -30,6 +38,7 @@ struct SealedState {
   std::size_t unexplained = 0;                 // of these, farther from the wood than checks allow
   std::size_t ignoredPlaces = 0;               // of the ignored findings, those of such points
   std::size_t ignoredPoints = 0;               // of the unexplained ones, those at these places
+  std::optional<SealedQuestions> questions;    // none: it was signed by an older program
   std::optional<SealedAgreement> automatic;    // with what the program found, or was opened
   std::optional<SealedAgreement> other;        // with the reference that was loaded
   std::string reason;                          // why it was signed though findings were open

@@ -23,6 +23,13 @@ QString amountText(const ReviewRecord::Amount& amount, LengthUnit unit) {
       .arg(formatCount(amount.nodes), formatLength(amount.length, unit));
 }
 
+QString questionsText(const SealedQuestions& questions) {
+  const QString answered = formatCount(questions.answered);
+  return questions.open
+             ? SealText::tr("%1 answered, %2 open").arg(answered, formatCount(*questions.open))
+             : SealText::tr("%1 answered").arg(answered);
+}
+
 QString agreementText(const SealedAgreement& agreement, LengthUnit unit) {
   const auto share = [](double value) { return numberText(value, 3); };
   return SealText::tr("F %1 within %2 (precision %3, recall %4), T %5")
@@ -99,6 +106,7 @@ std::vector<SealRow> sealRows(const Seal& seal, LengthUnit unit) {
   add(SealText::tr("Findings"), findingsText(state));
   if (!state.reason.empty())
     add(SealText::tr("Why they are left"), QString::fromStdString(state.reason));
+  if (state.questions) add(SealText::tr("Questions"), questionsText(*state.questions));
   if (state.points > 0) add(SealText::tr("Points without wood"), unexplainedText(state));
   for (const auto& agreement : {state.automatic, state.other})
     if (agreement)

@@ -333,6 +333,14 @@ bool DoubtsFlow::isAnswered(const Doubt& doubt) const {
   });
 }
 
+SealedQuestions DoubtsFlow::questions() const {
+  const auto isAnswer = [](const AnsweredDoubt& one) { return !one.isIgnored; };
+  SealedQuestions questions{.answered =
+                                static_cast<std::size_t>(std::ranges::count_if(held_, isAnswer))};
+  if (isKnown()) questions.open = doubts_.size();
+  return questions;
+}
+
 AnsweredDoubt DoubtsFlow::takeBack() {
   const auto at = std::find_if_not(held_.rbegin(), held_.rend(),
                                    [](const AnsweredDoubt& one) { return one.isIgnored; });

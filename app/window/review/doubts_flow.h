@@ -5,6 +5,7 @@
 #include "app/window/review/answered_doubts.h"
 #include "core/doubt/expected_agreement.h"
 #include "core/project/corrections.h"
+#include "core/project/seal.h"
 #include "core/skeleton/check_options.h"
 #include "ui/jobs/job_slot.h"
 
@@ -75,6 +76,8 @@ public:
   /// An edit by hand, the step done last, has answered it.
   void takeEdit(const Doubt& doubt, LearnedAnswer learned, bool wasWrong);
   [[nodiscard]] bool isAnswered(const Doubt& doubt) const;
+  /// How many answers hold, and how many doubts are to be asked, if they were found.
+  [[nodiscard]] SealedQuestions questions() const;
   /// Takes back the last answer that still holds, the doubt of which is asked again.
   /// @throws Error if there is none, or if other edits were made since
   AnsweredDoubt takeBack();

@@ -157,6 +157,7 @@ void SealFlow::askToSign(SealedFacts facts) {
     ++facts.state.ignoredPlaces;
     facts.state.ignoredPoints += finding.points.size();
   }
+  facts.state.questions = parts_.questions();
   const History history = document.history();
   const auto now = [] { return QDateTime::currentMSecsSinceEpoch(); };
   SignDialog dialog(signedBy("?", now(), history, facts.state), document.unit(), signer_,

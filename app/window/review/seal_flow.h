@@ -42,6 +42,7 @@ public:
     QMainWindow& window;
     std::function<void(ToSeal&)> addKnown; // limits, findings and reference of the window
     std::function<bool(const Finding&)> isIgnored;
+    std::function<SealedQuestions()> questions;
   };
   explicit SealFlow(const Parts& parts);
 

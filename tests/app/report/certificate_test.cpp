@@ -30,6 +30,7 @@ Seal wholeSeal() {
               .unexplained = 1480,
               .ignoredPlaces = 3,
               .ignoredPoints = 444,
+              .questions = SealedQuestions{.answered = 14, .open = 2},
               .automatic = SealedAgreement{"the reconstruction", 0.01, 0.91, 0.85, 0.879, 0.84},
               .other = SealedAgreement{"second.mtg", 0.01, 0.98, 0.97, 0.975, 0.93},
               .reason = "the two turns are real"}};
@@ -57,6 +58,7 @@ TEST(Certificate, StatesAllThatTheSealDoes) {
             formatCount(1480) + " of " + formatCount(147'989) +
                 " (1.0 %); at 3 places ignored as no wood: 444 (0.3 %)");
   EXPECT_EQ(cellOf(page, "Why they are left", 1), "the two turns are real");
+  EXPECT_EQ(cellOf(page, "Questions", 1), "14 answered, 2 open");
   EXPECT_TRUE(cellOf(page, "Agreement with the reconstruction", 1).startsWith("F 0.879 within "));
   EXPECT_TRUE(cellOf(page, "Agreement with second.mtg", 1).endsWith("T 0.930"));
   EXPECT_TRUE(textOf(page).contains("marked as reviewed in bulk")) << qPrintable(textOf(page));

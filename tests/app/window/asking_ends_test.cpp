@@ -186,5 +186,29 @@ TEST_F(AskingTest, MakesAsManyChangesByTheOddsAsItShows) {
   EXPECT_EQ(numberIn(window().banner().text()), shown) << window().banner().text().toStdString();
 }
 
+TEST_F(AskingTest, ItsAnswersAreCountedWhereThePlantIsSigned) {
+  const auto questions = [this] { // what the dialog that signs says of them
+    action("select_all").trigger();
+    action("mark_all_selected").trigger();
+    QString text;
+    const auto read = [&](QDialog& dialog) {
+      for (const auto* label : dialog.findChildren<QLabel*>())
+        if (label->text().contains(" answered")) text = label->text();
+      dialog.reject();
+    };
+    answer(read, [this] {
+      action("sign_structure").trigger();
+      waitForJob();
+    });
+    return text;
+  };
+  EXPECT_EQ(questions(), "0 answered") << "what is in doubt was not sought";
+  key(Qt::Key_Z, Qt::ControlModifier);
+  ask();
+  keyOnceDrawn(Qt::Key_1);
+  EXPECT_GT(doubts(), 0);
+  EXPECT_EQ(questions(), "1 answered, 0 open") << "what is reviewed is not asked about";
+}
+
 } // namespace
 } // namespace espalier

@@ -214,18 +214,22 @@ TEST(Seal, ReadsBackFromItsText) {
                  .unexplained = 1200,
                  .ignoredPlaces = 2,
                  .ignoredPoints = 90,
+                 .questions = SealedQuestions{.answered = 14, .open = 3},
                  .automatic = SealedAgreement{"the reconstruction", 0.01, 0.9, 0.8, 0.85, 0.7},
                  .other = std::nullopt,
                  .reason = "dead twigs are \"no\" wood"};
   EXPECT_EQ(sealFrom(textOf(whole)), whole);
   EXPECT_EQ(whole.state->openFindings(), 9U);
+  whole.state->questions->open.reset();
+  EXPECT_EQ(sealFrom(textOf(whole)), whole);
   std::string older = textOf(whole); // whose program did not count them
-  for (const char* line : {"ignored_places\": 2", "ignored_points\": 90"}) {
+  for (const char* line : {"ignored_places\": 2", "ignored_points\": 90", "questions\": {"}) {
     const std::size_t at = older.find(line);
     ASSERT_NE(at, std::string::npos);
     older.replace(at, 1, "x");
   }
   whole.state->ignoredPlaces = whole.state->ignoredPoints = 0;
+  whole.state->questions.reset();
   EXPECT_EQ(sealFrom(older), whole);
 }
 

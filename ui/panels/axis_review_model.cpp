@@ -67,6 +67,7 @@ int AxisReviewModel::columnCount(const QModelIndex& parent) const {
 }
 
 QVariant AxisReviewModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {}; // Ctrl+C where no row is current
   const Row& row = rows_[std::size_t(index.row())];
   if (role == Qt::ToolTipRole)
     return tr("Axis %1 of order %2, from node %3: %4")

@@ -39,6 +39,7 @@ int HistoryModel::columnCount(const QModelIndex& parent) const {
 }
 
 QVariant HistoryModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {}; // Ctrl+C where no row is current
   const int position = positionOf(index.row());
   const int present = document_.undoStack().index();
   if (position > document_.undoStack().count()) return {}; // dropped just now

@@ -61,6 +61,7 @@ int NodeTableModel::columnCount(const QModelIndex& parent) const {
 }
 
 QVariant NodeTableModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {}; // Ctrl+C where no row is current
   const NodeId id = node(index.row());
   const auto column = static_cast<NodeColumn>(index.column());
   if (!facts_.document().skeleton().contains(id)) return {}; // removed just now
@@ -91,6 +92,7 @@ QVariant NodeTableModel::headerData(int section, Qt::Orientation orientation, in
 
 Qt::ItemFlags NodeTableModel::flags(const QModelIndex& index) const {
   const Qt::ItemFlags flags = QAbstractTableModel::flags(index) | Qt::ItemNeverHasChildren;
+  if (!index.isValid()) return flags;
   const PlantDocument& document = facts_.document();
   const NodeId id = node(index.row());
   if (document.isReadOnly() || !document.skeleton().contains(id)) return flags;

@@ -41,6 +41,7 @@ int SuspectsModel::columnCount(const QModelIndex& parent) const {
 }
 
 QVariant SuspectsModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {}; // Ctrl+C where no row is current
   const Suspect& suspect = suspects_[static_cast<std::size_t>(index.row())];
   const bool isGain = index.column() == suspectGain;
   switch (role) {

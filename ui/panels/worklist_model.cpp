@@ -209,6 +209,7 @@ int WorklistModel::columnCount(const QModelIndex& parent) const {
 }
 
 QVariant WorklistModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {}; // Ctrl+C where no row is current
   const ListedPlant& plant = plants_[static_cast<std::size_t>(index.row())];
   const int column = index.column();
   switch (role) {

@@ -7,6 +7,7 @@
 #include "ui/panels/status_line.h"
 #include "ui/panels/step_form.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
@@ -72,6 +73,20 @@ TEST_F(MainWindowTest, ShowsThePanelsOnceThereIsAPlant) {
   EXPECT_TRUE(find<QDockWidget>("inspector").isVisible());
   EXPECT_TRUE(action("save").isEnabled());
   EXPECT_EQ(window().statusLine().counts(), "5 nodes · m") << "as a plant of 2 m";
+}
+
+// As Ctrl+C does where a list has the keyboard and no row is current.
+TEST_F(MainWindowTest, CopiesNothingFromAListWithoutARow) {
+  open({writeFork("fork.mtg")});
+  edit();
+  int models = 0;
+  for (const QAbstractItemView* list : window().findChildren<QAbstractItemView*>()) {
+    if (list->model() == nullptr) continue;
+    EXPECT_FALSE(list->model()->data({}).isValid()) << list->objectName().toStdString();
+    EXPECT_FALSE(list->model()->flags({}).testFlag(Qt::ItemIsEditable));
+    ++models;
+  }
+  EXPECT_GT(models, 10);
 }
 
 TEST_F(MainWindowTest, RemembersWhichPanelsWereClosed) {

@@ -141,6 +141,7 @@ void InspectorPanel::makeForm() {
 }
 
 void InspectorPanel::refresh() {
+  const QSignalBlocker quiet(radius_); // a number that is typed there is taken as it hides
   Selection& selection = document_.selection();
   const bool isStale = std::ranges::any_of(selection.nodes(), [this](NodeId id) {
     return !document_.skeleton().contains(id); // removed; the selection drops it next
@@ -161,7 +162,6 @@ void InspectorPanel::refresh() {
     widget->setVisible(isOne);
     form_->labelForField(widget)->setVisible(isOne);
   }
-  const QSignalBlocker quiet(radius_);
   const QString unit = symbol(document_.unit());
   radius_->setSuffix(unit.isEmpty() ? QString() : QChar(0x202f) + unit);
   if (isOne)

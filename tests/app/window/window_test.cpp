@@ -1,4 +1,5 @@
 #include "app/window/frame/action_set.h"
+#include "core/skeleton/edits.h"
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/plants.h"
 #include "tests/support/shared_data.h"
@@ -300,6 +301,16 @@ TEST_F(MainWindowTest, ACommandTakesTheNumberThatIsBeingTyped) {
   action("save").trigger();
   EXPECT_NEAR(document().skeleton()[apex].radius, 0.25, 1e-9);
   EXPECT_FALSE(document().isModified()) << "it was saved without the number";
+}
+
+TEST_F(MainWindowTest, ANumberTypedForANodeThatIsRemovedIsDropped) {
+  open({writeFork("fork.mtg")});
+  const NodeId tip = nodeAt({1, 0, 2});
+  document().selection().set({tip});
+  QTest::keyClick(&find<QDoubleSpinBox>("node_radius"), Qt::Key_6);
+  const int steps = document().undoStack().index();
+  document().edit("Remove", [&](SkeletonEditor& editor) { removeSubtree(editor, tip); });
+  EXPECT_EQ(document().undoStack().index(), steps + 1);
 }
 
 TEST_F(MainWindowTest, ShowsThatTheRadiiOfTheChosenNodesDiffer) {

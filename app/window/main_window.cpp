@@ -3,6 +3,7 @@
 #include "app/window/align/registration_flow.h"
 #include "app/window/files/recent_files.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/frame/digit_keys.h"
 #include "app/window/frame/icon.h"
 #include "app/window/frame/key_hints.h"
 #include "app/window/frame/panel_dock.h"
@@ -71,6 +72,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   sync_ = std::make_unique<ViewSync>(document_, *view_);
 
   makeParts();
+  new DigitKeys(*actions_, this);
   fillMenus();
   fillToolBar();
   connectJobs();

@@ -35,22 +35,36 @@ private:
   std::function<void()> act_;
 };
 
-/// Keeps the keys with which one chooses in a list from being shortcuts while it is open.
-class OpenList : public QObject {
+/// Keeps keys of a list from being shortcuts.
+class ListKeys : public QObject {
 public:
-  explicit OpenList(QComboBox& choices) : QObject(&choices) { // owned by it
-    choices.view()->installEventFilter(this);
+  ListKeys(QAbstractItemView& list, IsMeant isMeant) : QObject(&list), isMeant_(isMeant) {
+    list.installEventFilter(this); // which owns it
   }
 
 private:
   bool eventFilter(QObject* watched, QEvent* event) override {
-    constexpr auto ofActions = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
     if (event->type() == QEvent::ShortcutOverride &&
-        !(static_cast<QKeyEvent*>(event)->modifiers() & ofActions))
+        isMeant_(*static_cast<const QKeyEvent*>(event)))
       event->accept();
     return QObject::eventFilter(watched, event);
   }
+
+  IsMeant isMeant_;
 };
+
+/// One with which one chooses in a list that is open.
+bool isOfChoices(const QKeyEvent& press) {
+  constexpr auto ofActions = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
+  return !(press.modifiers() & ofActions);
+}
+
+bool isOfRows(const QKeyEvent& press) {
+  const int key = press.key();
+  const bool isMeant =
+      key == Qt::Key_Home || key == Qt::Key_End || key == Qt::Key_PageUp || key == Qt::Key_PageDown;
+  return isMeant && !(press.modifiers() & ~Qt::KeypadModifier);
+}
 
 bool isEnter(const QKeyEvent& press) {
   return (press.key() == Qt::Key_Return || press.key() == Qt::Key_Enter) &&
@@ -73,7 +87,11 @@ void onEnter(QWidget& widget, std::function<void()> act) {
 
 void opensOnEnter(QComboBox& choices) {
   onEnter(choices, [&choices] { choices.showPopup(); });
-  new OpenList(choices);
+  new ListKeys(*choices.view(), isOfChoices);
+}
+
+void goesThroughRows(QAbstractItemView& list) {
+  new ListKeys(list, isOfRows);
 }
 
 void onEscape(QWidget& widget, std::function<void()> act) {

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+class QAbstractItemView;
 class QComboBox;
 
 namespace espalier {
@@ -16,6 +17,9 @@ void onEnter(QWidget& widget, std::function<void()> act);
 
 /// The same for a list of choices: Enter opens it; once it is open, all keys choose in it.
 void opensOnEnter(QComboBox& choices);
+
+/// Lets Home, End, Page Up and Page Down go through the rows.
+void goesThroughRows(QAbstractItemView& list);
 
 /// Lets Escape, alone, do `act`.
 void onEscape(QWidget& widget, std::function<void()> act);

@@ -33,6 +33,7 @@ HistoryPanel::HistoryPanel(PlantDocument& document, QWidget* parent)
   header->setSectionResizeMode(HistoryModel::textColumn, QHeaderView::Stretch);
   header->resizeSection(HistoryModel::timeColumn, 140);
   header->resizeSection(HistoryModel::authorColumn, 140);
+  goesThroughRows(*list_);
   onEnter(*list_, [this] {
     if (list_->currentIndex().isValid()) choose(list_->currentIndex().row());
   });

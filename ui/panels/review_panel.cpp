@@ -179,6 +179,7 @@ void ReviewPanel::addAxes(QVBoxLayout& column) {
   axes_->setObjectName("review_axes");
   axes_->setTabKeyNavigation(false); // Tab leaves it
   axes_->setModel(model_);
+  goesThroughRows(*axes_);
   axes_->setAccessibleName(tr("Axes"));
   axes_->setSelectionBehavior(QAbstractItemView::SelectRows);
   axes_->setSelectionMode(QAbstractItemView::SingleSelection);

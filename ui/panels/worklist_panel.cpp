@@ -127,6 +127,7 @@ void WorklistPanel::makeList() {
   header->setSortIndicator(WorklistModel::plantColumn, Qt::AscendingOrder);
   list_->setSortingEnabled(true);
   onEnter(*list_, [this] { choose(); });
+  goesThroughRows(*list_);
   connect(list_, &QTableView::doubleClicked, this, &WorklistPanel::choose);
 }
 

@@ -5,11 +5,15 @@
 #include "ui/dialogs/key_edit.h"
 #include "ui/panels/status_line.h"
 
+#include <QAbstractItemView>
 #include <QAction>
+#include <QApplication>
 #include <QDialog>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 #include <QTreeWidget>
 
@@ -192,6 +196,51 @@ TEST_F(KeysWindowTest, AHintWithoutAKeyIsLeftOut) {
   EXPECT_EQ(withKeys("Drag: turn   {new_child} new child   Esc: leave", actions),
             "Drag: turn   Esc: leave");
   EXPECT_EQ(withKeys("as it is", actions), "as it is");
+}
+
+/// A press of the key of the row above the letters that has this number, from 10 for that of 1.
+QKeyEvent pressOfRow(quint32 number, Qt::Key types, Qt::KeyboardModifiers modifiers = {}) {
+  return {QEvent::KeyPress, types, modifiers, number, 0, 0, QString()};
+}
+
+// On a French keyboard digits need Shift.
+TEST_F(KeysWindowTest, TheRowOfDigitsNeedsNoShift) {
+  open({writeFork("fork.mtg")});
+  QAction& command = action("select_downstream");
+  ASSERT_EQ(command.shortcut(), QKeySequence(Qt::Key_1));
+  QSignalSpy run(&command, &QAction::triggered);
+  const auto isRun = [&](QKeyEvent press, QWidget& at) {
+    run.clear();
+    at.setFocus();
+    QApplication::sendEvent(&at, &press);
+    return !run.isEmpty();
+  };
+  EXPECT_TRUE(isRun(pressOfRow(10, Qt::Key_Ampersand), view()));
+  EXPECT_FALSE(isRun(pressOfRow(24, Qt::Key_Ampersand), view())) << "another key";
+  EXPECT_FALSE(isRun(pressOfRow(10, Qt::Key_Ampersand, Qt::AltModifier), view()));
+  QLineEdit field(&window());
+  field.show();
+  EXPECT_FALSE(isRun(pressOfRow(10, Qt::Key_Ampersand), field)) << "it is typed there";
+  command.setEnabled(false);
+  EXPECT_FALSE(isRun(pressOfRow(10, Qt::Key_Ampersand), view()));
+}
+
+TEST_F(KeysWindowTest, HomeAndEndGoThroughAListThatHasTheKeyboard) {
+  open({writeFork("fork.mtg")});
+  for (int i = 0; i < 3; ++i)
+    edit();
+  action("show_history").setChecked(true);
+  auto& list = find<QAbstractItemView>("history_list");
+  list.setFocus();
+  const auto isOfList = [&](Qt::Key key) { // rather than of a command
+    QKeyEvent press(QEvent::ShortcutOverride, key, Qt::NoModifier);
+    press.ignore();
+    QApplication::sendEvent(&list, &press);
+    return press.isAccepted();
+  };
+  for (const Qt::Key key : {Qt::Key_Home, Qt::Key_End, Qt::Key_PageUp, Qt::Key_PageDown})
+    EXPECT_TRUE(isOfList(key)) << key;
+  EXPECT_FALSE(isOfList(Qt::Key_F4));
 }
 
 } // namespace

@@ -128,10 +128,11 @@ DifferencesPanel::DifferencesPanel(const PlantDocument& document, const Actions&
   list_->sortByColumn(partLength, Qt::DescendingOrder);
   list_->setMinimumSize(180, 60);
   list_->header()->setStretchLastSection(false);
-  list_->header()->setSectionResizeMode(partKind, QHeaderView::Stretch);
+  list_->header()->setSectionResizeMode(partKind, QHeaderView::ResizeToContents);
   list_->header()->setSectionResizeMode(partLength, QHeaderView::ResizeToContents);
-  list_->header()->setSectionResizeMode(partPlace, QHeaderView::ResizeToContents);
+  list_->header()->setSectionResizeMode(partPlace, QHeaderView::Stretch);
   onEnter(*list_, [this] { reportChosen(list_->currentItem()); });
+  goesThroughRows(*list_);
   list_->installEventFilter(this);
   column->addWidget(list_, 1);
   column->addStretch();
@@ -153,6 +154,7 @@ void DifferencesPanel::show(const std::vector<DifferingPart>& parts,
                             const std::vector<DifferingPart>& ignored, double tolerance) {
   const std::optional<DifferingPart> before = current();
   if (before) gone_ = list_->indexOfTopLevelItem(list_->currentItem());
+  if (parts.empty() && ignored.empty()) gone_ = -1; // what is listed next is of another
   {
     const QSignalBlocker blocker(list_);
     list_->setSortingEnabled(false);

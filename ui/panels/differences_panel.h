@@ -37,6 +37,7 @@ public:
   /// @param tolerance [L], within which parts before and after are the same
   void show(const std::vector<DifferingPart>& parts, const std::vector<DifferingPart>& ignored,
             double tolerance);
+  [[nodiscard]] bool isEmpty() const { return count_ == 0; } // but for what is ignored
   [[nodiscard]] std::optional<DifferingPart> current() const;
   /// Goes on in the list as it is sorted, without what is ignored; from the end to the beginning.
   /// Where the present one is gone, on to what follows it. None: there is nothing.

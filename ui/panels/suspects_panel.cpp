@@ -156,6 +156,7 @@ void SuspectsPanel::makeList() {
     if (const auto row = current()) emit chosen(*row);
   };
   onEnter(*list_, report);
+  goesThroughRows(*list_);
   connect(list_, &QTreeView::clicked, this, report);
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           &SuspectsPanel::currentChanged);
@@ -258,8 +259,10 @@ void SuspectsPanel::showQuestion(const std::optional<Doubt>& doubt, bool isByHan
   refreshShown();
   QTimer::singleShot(0, list_, [this] { list_->scrollTo(list_->currentIndex()); }); // it has shrunk
   if (!doubt) return;
-  question_->setText(isByHand ? tr("Correct it with any tool, or go on")
-                              : questionOf(*doubt, document_.unit()));
+  question_->setText(isByHand
+                         ? tr("Correct it with any tool; %1 goes on")
+                               .arg(actions_.skip->shortcut().toString(QKeySequence::NativeText))
+                         : questionOf(*doubt, document_.unit()));
   const std::vector<std::size_t> order = numbered(*doubt);
   for (std::size_t i = 0; i < answers_.size(); ++i) {
     const bool isThere = !isByHand && i < order.size();

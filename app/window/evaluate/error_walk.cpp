@@ -73,14 +73,14 @@ QString stepText(const DifferingPart& part, const QString& length, const QString
   const bool isVersion = !version.isEmpty();
   switch (part.kind) {
   case Difference::missed:
-    return isVersion ? ErrorWalk::tr("Add %1 of %2").arg(length, version)
+    return isVersion ? ErrorWalk::tr("Add %1 of “%2”").arg(length, version)
                      : ErrorWalk::tr("Add %1 of the reference").arg(length);
   case Difference::invented:
-    return isVersion ? ErrorWalk::tr("Remove %1 that %2 lacks").arg(length, version)
+    return isVersion ? ErrorWalk::tr("Remove %1 that “%2” lacks").arg(length, version)
                      : ErrorWalk::tr("Remove %1 that the reference lacks").arg(length);
   case Difference::wronglyAttached:
     return isVersion
-               ? ErrorWalk::tr("Attach node %1 as %2").arg(indexOf(part.attached)).arg(version)
+               ? ErrorWalk::tr("Attach node %1 as in “%2”").arg(indexOf(part.attached)).arg(version)
                : ErrorWalk::tr("Attach node %1 as the reference").arg(indexOf(part.attached));
   case Difference::matched:
     break;
@@ -216,8 +216,7 @@ void ErrorWalk::goTo(const DifferingPart& part) {
   sight.margin = std::max(0.5 * box.diagonal().norm(), 2 * meanEdgeLength(evaluation_->reference));
   parts_.view.flyTo(parts_.view.cameraToSee(sight), focusOn(parts_.document.skeleton(), sight));
   const QString what =
-      QStringLiteral("%1, %2: ")
-          .arg(titleOf(part.kind), formatLength(part.length, parts_.document.unit(), 3));
+      tr("%1, %2: ").arg(titleOf(part.kind), formatLength(part.length, parts_.document.unit(), 3));
   emit noted(what + withKeys(QStringLiteral("{accept_reference} %1   {ignore_error} %2")
                                  .arg(acceptHint(part.kind),
                                       isIgnored(part) ? tr("lists it again") : tr("ignores it")),
@@ -228,7 +227,9 @@ DifferingPart ErrorWalk::chosen() const {
   if (!evaluation_)
     throw Error(tr("nothing has been compared yet: load a reference first").toStdString());
   if (const std::optional<DifferingPart> part = panel_->current()) return *part;
-  throw Error(tr("no error is chosen: click one, or go to the next").toStdString());
+  throw Error((panel_->isEmpty() ? tr("nothing differs from the reference within the tolerance")
+                                 : tr("no error is chosen: click one, or go to the next"))
+                  .toStdString());
 }
 
 void ErrorWalk::accept() {

@@ -157,7 +157,7 @@ void ReferenceFlow::takeVersion(Skeleton skeleton, const QString& name) {
   else if (skeleton_)
     version.before.push_back({.skeleton = *skeleton_, .path = path_, .isOfScan = isOfScan_});
   set(std::move(version));
-  emit noted(tr("The plant is compared with %1").arg(name));
+  emit noted(tr("The plant is compared with “%1”").arg(name));
   emit outdated();
   emit loaded();
 }

@@ -120,5 +120,29 @@ TEST_F(EvaluationWindowTest, SavesTheEditMapping) {
   EXPECT_FALSE(text.contains("removed,"));
 }
 
+TEST_F(EvaluationWindowTest, GoesThroughTheErrorsOfAnotherReferenceFromTheFirst) {
+  compare([](SkeletonEditor& editor) {
+    removeSubtree(editor, shoot(1));
+    removeSubtree(editor, NodeId{static_cast<std::uint32_t>(indexOf(shoot(2)) + 4)});
+  });
+  ASSERT_TRUE(waitForErrors(2));
+  const auto goOn = [this] {
+    key(Qt::Key_F3);
+    return list().indexOfTopLevelItem(list().currentItem());
+  };
+  EXPECT_EQ(goOn(), 0);
+  EXPECT_EQ(goOn(), 1);
+  load(write("second.mtg", plant()));
+  ASSERT_TRUE(waitForErrors(2));
+  EXPECT_EQ(goOn(), 0);
+}
+
+TEST_F(EvaluationWindowTest, SaysThatNothingDiffersWhereNothingCanBeAccepted) {
+  compare([](SkeletonEditor&) {});
+  ASSERT_TRUE(waitForErrors(0));
+  key(Qt::Key_Enter, Qt::ControlModifier);
+  EXPECT_TRUE(message().startsWith("Nothing differs")) << message().toStdString();
+}
+
 } // namespace
 } // namespace espalier

@@ -73,6 +73,7 @@ void printNotes(const std::vector<ShownMessage>& notes) {
 
 void printNotes(const std::vector<std::string>& notes) {
   std::vector<ShownMessage> messages;
+  messages.reserve(notes.size());
   for (const std::string& note : notes)
     messages.push_back({note});
   printNotes(messages);

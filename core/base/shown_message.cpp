@@ -32,6 +32,7 @@ std::string inEnglish(const ShownMessage& message) {
 
 std::vector<std::string> eachInEnglish(const std::vector<ShownMessage>& messages) {
   std::vector<std::string> texts;
+  texts.reserve(messages.size());
   for (const ShownMessage& message : messages)
     texts.push_back(inEnglish(message));
   return texts;
@@ -39,7 +40,7 @@ std::vector<std::string> eachInEnglish(const std::vector<ShownMessage>& messages
 
 ShownMessage messageOf(const std::exception& error) {
   const auto* shown = dynamic_cast<const ShownError*>(&error);
-  return shown != nullptr ? shown->message() : ShownMessage{error.what()};
+  return shown != nullptr ? shown->message() : ShownMessage{"%1", {error.what()}};
 }
 
 ShownError::ShownError(ShownMessage message)

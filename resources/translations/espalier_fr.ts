@@ -2420,6 +2420,10 @@
         <source>As they were</source>
         <translation>Tels qu’ils étaient</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
 </context>
 <context>
     <name>Seal</name>
@@ -2445,11 +2449,11 @@
     </message>
     <message>
         <source>%1 open (%2)</source>
-        <translation>%1 ouverts (%2)</translation>
+        <translation>ouverts&#xa0;: %1 (%2)</translation>
     </message>
     <message>
         <source>; %1 ignored</source>
-        <translation>&#xa0;; %1 ignorés</translation>
+        <translation>&#xa0;; ignorés&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 on %2</source>
@@ -2525,15 +2529,19 @@
     </message>
     <message>
         <source>%1 answered, %2 open</source>
-        <translation>%1 répondues, %2 ouvertes</translation>
+        <translation>répondues&#xa0;: %1, ouvertes&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 answered</source>
-        <translation>%1 répondues</translation>
+        <translation>répondues&#xa0;: %1</translation>
     </message>
     <message>
         <source>Questions</source>
         <translation>Questions</translation>
+    </message>
+    <message>
+        <source>1 node, %1</source>
+        <translation>1 nœud, %1</translation>
     </message>
 </context>
 <context>
@@ -3168,11 +3176,11 @@
     </message>
     <message>
         <source>Take Back Answer</source>
-        <translation>Retirer la réponse</translation>
+        <translation>Reprendre la réponse</translation>
     </message>
     <message>
         <source>Takes the last answer back, and asks again</source>
-        <translation>Retire la dernière réponse, et pose à nouveau la question</translation>
+        <translation>Reprend la dernière réponse, et pose à nouveau la question</translation>
     </message>
     <message>
         <source>Stop Asking</source>
@@ -3216,7 +3224,7 @@
     </message>
     <message>
         <source>Correct it with any tool   {skip_doubt} goes on   {take_back_answer} takes back   {leave} ends</source>
-        <translation>Corrigez-le avec n’importe quel outil   {skip_doubt} continue   {take_back_answer} retire   {leave} termine</translation>
+        <translation>Corrigez-le avec n’importe quel outil   {skip_doubt} continue   {take_back_answer} reprend la réponse   {leave} termine</translation>
     </message>
     <message>
         <source>all points of the scan lie at one place: nothing follows from them that could be asked about</source>
@@ -3236,7 +3244,7 @@
     </message>
     <message>
         <source>{answer_none} none   {skip_doubt} skip   {take_back_answer} back   {leave} ends</source>
-        <translation>{answer_none} aucune   {skip_doubt} passer   {take_back_answer} revenir   {leave} terminer</translation>
+        <translation>{answer_none} aucune   {skip_doubt} passer   {take_back_answer} reprendre   {leave} terminer</translation>
     </message>
     <message>
         <source>Nothing that is listed is in doubt any more</source>
@@ -4039,7 +4047,7 @@
     </message>
     <message>
         <source>no answer is left to be taken back</source>
-        <translation>il ne reste aucune réponse à retirer</translation>
+        <translation>il ne reste aucune réponse à reprendre</translation>
     </message>
     <message>
         <source>other edits came after that answer: undo them first</source>
@@ -4571,18 +4579,6 @@
         <translation>Ignorer</translation>
     </message>
     <message>
-        <source>Add %1 of %2</source>
-        <translation>Ajouter %1 de %2</translation>
-    </message>
-    <message>
-        <source>Remove %1 that %2 lacks</source>
-        <translation>Supprimer %1, absent de %2</translation>
-    </message>
-    <message>
-        <source>Attach node %1 as %2</source>
-        <translation>Rattacher le nœud %1 comme dans %2</translation>
-    </message>
-    <message>
         <source>adds it</source>
         <translation>l’ajoute</translation>
     </message>
@@ -4601,6 +4597,26 @@
     <message>
         <source>attaches it as the reference does</source>
         <translation>l’attache comme la référence</translation>
+    </message>
+    <message>
+        <source>Add %1 of “%2”</source>
+        <translation>Ajouter %1 de «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Remove %1 that “%2” lacks</source>
+        <translation>Supprimer %1 que «&#xa0;%2&#xa0;» n’a pas</translation>
+    </message>
+    <message>
+        <source>Attach node %1 as in “%2”</source>
+        <translation>Attacher le nœud %1 comme dans «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>%1, %2: </source>
+        <translation>%1, %2&#xa0;: </translation>
+    </message>
+    <message>
+        <source>nothing differs from the reference within the tolerance</source>
+        <translation>rien ne diffère de la référence à la tolérance près</translation>
     </message>
 </context>
 <context>
@@ -7515,10 +7531,6 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <translation>%1 est maintenant la référence</translation>
     </message>
     <message>
-        <source>The plant is compared with %1</source>
-        <translation>La plante est comparée avec %1</translation>
-    </message>
-    <message>
         <source>A structure was dropped</source>
         <translation>Une structure a été déposée</translation>
     </message>
@@ -7557,6 +7569,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>Loads the structure that has the name of the scan and lies beside it, as that of the sample plant</source>
         <translation>Charge la structure qui a le nom du scan et se trouve à côté de lui, comme celle de la plante d’exemple</translation>
+    </message>
+    <message>
+        <source>The plant is compared with “%1”</source>
+        <translation>La plante est comparée à «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -15792,7 +15808,7 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <name>espalier::SuspectsPanel</name>
     <message>
         <source>◂ Take Back</source>
-        <translation>◂ Retirer</translation>
+        <translation>◂ Reprendre</translation>
     </message>
     <message>
         <source>Skip ▸</source>
@@ -15815,12 +15831,12 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>De la plante avant les dernières modifications&#xa0;: la part est recalculée</translation>
     </message>
     <message>
-        <source>Correct it with any tool, or go on</source>
-        <translation>Corrigez-le avec n’importe quel outil, ou continuez</translation>
-    </message>
-    <message>
         <source>%1  %2 · %3 %</source>
         <translation>%1  %2 · %3 %</translation>
+    </message>
+    <message>
+        <source>Correct it with any tool; %1 goes on</source>
+        <translation>Corrigez-le avec n’importe quel outil&#xa0;; %1 continue</translation>
     </message>
 </context>
 <context>

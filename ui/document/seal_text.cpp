@@ -19,8 +19,9 @@ struct SealText {
 };
 
 QString amountText(const ReviewRecord::Amount& amount, LengthUnit unit) {
-  return SealText::tr("%1 nodes, %2")
-      .arg(formatCount(amount.nodes), formatLength(amount.length, unit));
+  const QString length = formatLength(amount.length, unit);
+  return amount.nodes == 1 ? SealText::tr("1 node, %1").arg(length)
+                           : SealText::tr("%1 nodes, %2").arg(formatCount(amount.nodes), length);
 }
 
 QString questionsText(const SealedQuestions& questions) {

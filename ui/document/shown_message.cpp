@@ -24,7 +24,9 @@ QString placeText(const FilePlace& place) {
 } // namespace
 
 QString shownText(const ShownMessage& message) {
-  const std::string sentence = shownText(message.sentence).toStdString();
+  const bool isAsItIs = message.sentence == "%1"; // a text that is in the language already
+  const std::string sentence =
+      isAsItIs ? message.sentence : shownText(message.sentence).toStdString();
   const QString text = QString::fromStdString(inEnglish(ShownMessage{sentence, message.values}));
   return message.where ? PlaceText::tr("%1: %2").arg(placeText(*message.where), text) : text;
 }

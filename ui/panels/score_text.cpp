@@ -50,7 +50,7 @@ QString titleOf(ScoreGroup group) {
 }
 
 QString tipOf(const Score& score) {
-  return QStringLiteral("%1: %2").arg(titled(labelOf(score)), shownText(score.help));
+  return Titles::tr("%1: %2").arg(titled(labelOf(score)), shownText(score.help));
 }
 
 QString textOf(const std::optional<double>& value, ScoreUnit counted, LengthUnit unit) {

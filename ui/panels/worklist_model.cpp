@@ -12,7 +12,6 @@
 #include <QPixmap>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -277,8 +276,7 @@ QString WorklistModel::textOf(const ListedPlant& plant, int column) const {
     return row.state && row.state->openFindings ? formatCount(*row.state->openFindings) : none();
   case minutesColumn: {
     if (!row.state || row.state->time == 0) return none();
-    const auto minutes =
-        static_cast<std::size_t>(std::llround(static_cast<double>(row.state->time) / oneMinute));
+    const auto minutes = static_cast<std::size_t>(row.state->time / oneMinute); // as the seal
     return minutes == 0 ? tr("under 1") : formatCount(minutes);
   }
   case annotatorColumn:

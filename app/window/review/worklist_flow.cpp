@@ -158,7 +158,7 @@ void WorklistFlow::open(const QString& file) {
 void WorklistFlow::noteFailure(const QString& message) {
   // One that another window works on can be opened once that is closed.
   if (opening_.empty() || !stamps_.contains(opening_) || ProjectLock::holder(opening_)) return;
-  known_[opening_].problem = ShownMessage{message.toStdString()};
+  known_[opening_].problem = ShownMessage{"%1", {message.toStdString()}};
   show();
 }
 

@@ -61,7 +61,7 @@ TEST_F(EvaluationWindowTest, SaysThatThereIsNoErrorToAcceptOrIgnore) {
   ASSERT_TRUE(waitForScores());
   for (const Qt::Key pressed : {Qt::Key_Return, Qt::Key_F3}) {
     key(pressed, Qt::ControlModifier);
-    EXPECT_EQ(window().banner().text(), "No error is chosen: click one, or go to the next");
+    EXPECT_EQ(window().banner().text(), "Nothing differs from the reference within the tolerance");
     find<QWidget>("message_banner").hide();
   }
   for (const auto* button : find<QWidget>("differences_panel").findChildren<QToolButton*>()) {

@@ -52,6 +52,11 @@ struct SmallScreenTest : test::WindowTest {
                                   qobject_cast<const QComboBox*>(&widget) != nullptr ||
                                   qobject_cast<const QLineEdit*>(&widget) != nullptr);
   }
+  /// All of it: of a field, ensureWidgetVisible() sees to the text cursor alone.
+  static void scrollTo(const QWidget& widget, QScrollArea& area) {
+    const QPoint middle = widget.mapTo(area.widget(), widget.rect().center());
+    area.ensureVisible(middle.x(), middle.y(), widget.width() / 2 + 1, widget.height() / 2 + 1);
+  }
   /// Of a dock, what cannot be seen whole, scroll as one may.
   static QStringList cutOff(QDockWidget& dock) {
     dock.raise();
@@ -62,7 +67,7 @@ struct SmallScreenTest : test::WindowTest {
       const auto isWhole = [&] { // once what is found in the background is shown
         for (QWidget* around = widget->parentWidget(); around != &dock;
              around = around->parentWidget())
-          if (auto* area = qobject_cast<QScrollArea*>(around)) area->ensureWidgetVisible(widget);
+          if (auto* area = qobject_cast<QScrollArea*>(around)) scrollTo(*widget, *area);
         settle();
         return widget->visibleRegion().boundingRect() == widget->rect();
       };

@@ -95,7 +95,7 @@ TEST_F(VersionsWindowTest, GivesBackWhatTheStateSaysOfThePiece) {
   key(Qt::Key_Return, Qt::ControlModifier);
   EXPECT_EQ(document().skeleton()[nodeAt({1, 0, 2})].review,
             (ReviewMark{.comment = "a dead twig"}));
-  EXPECT_TRUE(document().undoStack().undoText().endsWith("of before pruning"))
+  EXPECT_TRUE(document().undoStack().undoText().endsWith("of “before pruning”"))
       << document().undoStack().undoText().toStdString();
 }
 

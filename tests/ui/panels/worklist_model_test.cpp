@@ -38,7 +38,7 @@ TEST(WorklistModel, SaysHowFarEachPlantIs) {
   EXPECT_EQ(stages, "tarsup");
 }
 
-TEST(WorklistModel, RoundsMinutesAndShowsWhatIsNotKnownAsADash) {
+TEST(WorklistModel, CountsWholeMinutesAsASealAndShowsWhatIsNotKnownAsADash) {
   WorklistModel model;
   const auto minutes = [&](std::int64_t milliseconds) {
     model.show({plantOf("a.espalier", WorkStage::inReview, milliseconds)}, {});
@@ -46,8 +46,9 @@ TEST(WorklistModel, RoundsMinutesAndShowsWhatIsNotKnownAsADash) {
   };
   EXPECT_EQ(minutes(0), "–");
   EXPECT_EQ(minutes(29'000), "under 1");
-  EXPECT_EQ(minutes(31'000), "1");
-  EXPECT_EQ(minutes(725'000), "12");
+  EXPECT_EQ(minutes(59'000), "under 1");
+  EXPECT_EQ(minutes(61'000), "1");
+  EXPECT_EQ(minutes(779'000), "12");
   EXPECT_EQ(cell(model, WorklistModel::findingsColumn), "–");
   EXPECT_EQ(cell(model, WorklistModel::agreementColumn), "–");
 }

@@ -148,6 +148,17 @@ std::vector<PointField> guessedColumns(const std::vector<std::vector<double>>& r
   return columns;
 }
 
+/// Whether a third of the fields of any line are numbers: in a letter, none has as many.
+bool mayBePoints(const Sample& sample, const XyzLayout& layout) {
+  return std::ranges::any_of(sample.data, [&](std::string_view line) {
+    const std::vector<std::string_view> fields = fieldsOf(line, layout.separator);
+    const auto isNumber = [&](std::string_view field) {
+      return numberInField(field, layout.hasDecimalComma).has_value();
+    };
+    return 3 * std::ranges::count_if(fields, isNumber) >= std::ssize(fields);
+  });
+}
+
 std::vector<std::vector<double>> numbersOf(const Sample& sample, const XyzLayout& layout) {
   std::vector<std::vector<double>> rows;
   for (const std::string_view line : sample.data) {
@@ -249,6 +260,7 @@ XyzLayout xyzLayoutOf(ByteSource& source, const std::string& file,
   layout.count = sample.count;
   if (sample.data.empty()) return layout;
   findSeparator(sample, layout);
+  if (columns.empty() && !mayBePoints(sample, layout)) return layout;
   const std::size_t count = fieldsOf(sample.data.front(), layout.separator).size();
   if (!columns.empty()) requireNumberOfColumns(columns.size(), count, file);
   if (columns.empty()) {

@@ -63,6 +63,7 @@ TEST(FirstLines, SayWhyColumnsAreInDoubt) {
 TEST(FirstLines, AreRefusedWhereThereAreNoPoints) {
   EXPECT_THAT(refusalOfLines("1 2\n3 4\n"), HasSubstr("has 2 columns, and a point has x, y and z"));
   EXPECT_THAT(refusalOfLines("# nothing\n"), HasSubstr("holds no points"));
+  EXPECT_THAT(refusalOfLines("the oak is well and green\nas ever\n"), HasSubstr("holds no points"));
   EXPECT_THAT(refusalOfLines(std::string("1 2\0 3\n", 7)), HasSubstr("is no plain text"));
 }
 

@@ -130,6 +130,9 @@ TEST(ReadXyz, RefusesAFileWithoutPoints) {
   EXPECT_THAT(refusalOfXyz(""), HasSubstr("holds no points"));
   EXPECT_THAT(refusalOfXyz("# only\n# remarks\n"), HasSubstr("holds no points"));
   EXPECT_THAT(refusalOfXyz("5\n"), HasSubstr("holds no points"));
+  const std::string letter = "Dear friend,\nthe oak is well and green\nsince the 3rd of May\n";
+  EXPECT_EQ(refusalOfXyz(letter), "oak.xyz, line 1: expected 3 numbers, found text, and no points "
+                                  "follow");
 }
 
 TEST(ReadXyz, HandsOnPointsThatAreNotFinite) { // PointCloud leaves them out

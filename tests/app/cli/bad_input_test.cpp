@@ -59,7 +59,7 @@ std::vector<BadScan> badScans() {
   return {
       {"Empty", "empty.ply", "", "copy or export it again"},
       {"Blank", "blank.xyz", " \n\n\t\n", "copy or export it again"},
-      {"Words", "words.xyz", "no numbers here\nnor here are any\n", "line 2: expected a number"},
+      {"Words", "words.xyz", "no numbers here\nnor here are any\n", "no points"},
       {"WordsBetweenNumbers", "half.xyz", "1 2 3\n4 5 6\n7 eight 9\n", "line 3: expected a num"},
       {"NoPointIsFinite", "nan.xyz", "nan nan nan\n1 inf 2\n-inf 3 4\n", "export it again"},
       {"CutPly", "cut.ply", cutShort(test::bytesOf(test::sample("young_tree.ply"))),

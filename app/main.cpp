@@ -3,7 +3,6 @@
 #include "app/log/crash_handler.h"
 #include "app/log/run_log.h"
 #include "app/window/frame/language.h"
-#include "app/window/frame/theme.h"
 #include "app/window/main_window.h"
 #include "ui/jobs/job_threads.h"
 
@@ -55,7 +54,6 @@ int runEditor(int argc, char** argv) {
   espalier::setJobThreadStart(&espalier::reportCrashesOfThread);
   QSettings settings;
   espalier::useLanguage(settings);
-  espalier::useTheme(settings);
   espalier::MainWindow window(settings);
   QObject::connect(&window, &espalier::MainWindow::workedOn, [](const QString& project) {
     espalier::setWorkedOn(QFile::encodeName(project).toStdString());

@@ -32,7 +32,6 @@
 
 #include <algorithm>
 #include <ranges>
-#include <utility>
 
 /// Icons and style live in a static library, which the linker else leaves out. Not in a
 /// namespace, as the macro asks.
@@ -255,8 +254,6 @@ void MainWindow::refreshDocks() {
       dock->setPlantShown(hasPlant);
     part->setPlantShown(hasPlant);
   }
-  // Qt makes separators anew for panels that come back, and drops those of before only here.
-  if (std::exchange(hasPlantPanels_, hasPlant) && !hasPlant) restoreState(saveState());
 }
 
 /// What a job will replace is not to be edited meanwhile, nor the plant while a scan is registered.

@@ -114,7 +114,6 @@ private:
   QSplitter* views_; // beside it there may be a second
   StartPage* start_;
   VertexPage* vertices_; // of a plant without positions
-  bool hasPlantPanels_ = false;
   QStackedWidget* center_;
   MessageBanner* banner_;
   QString refusal_; // the last one shown in the banner

@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QFile>
-#include <QSettings>
 #include <QStyle>
 #include <QStyleFactory>
 
@@ -119,15 +118,6 @@ void applyTheme(bool isDark) {
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   QApplication::setPalette(paletteOf(colors));
   program.setStyleSheet(sheet);
-}
-
-Theme chosenTheme(const QSettings& settings) {
-  return themeNamed(settings.value("theme").toString());
-}
-
-void useTheme(const QSettings& settings) {
-  const Theme theme = chosenTheme(settings);
-  applyTheme(theme == Theme::dark || (theme == Theme::system && isSystemDark()));
 }
 
 } // namespace espalier

@@ -4,8 +4,6 @@
 #include <QPalette>
 #include <QString>
 
-class QSettings;
-
 namespace espalier {
 
 enum class Theme { system, light, dark };
@@ -37,11 +35,5 @@ struct ThemeColors {
 
 /// Gives the whole program a dark or a light look.
 void applyTheme(bool isDark);
-
-[[nodiscard]] Theme chosenTheme(const QSettings& settings);
-
-/// Gives the program the theme that the settings remember. Before the window is made: it keeps the
-/// width of separators that it begins with.
-void useTheme(const QSettings& settings);
 
 } // namespace espalier

@@ -32,13 +32,12 @@ ThemeFlow::ThemeFlow(const Parts& parts) : parts_(parts) {
 }
 
 void ThemeFlow::start() {
-  use(chosenTheme(parts_.settings));
+  use(chosen());
 }
 
 bool ThemeFlow::eventFilter(QObject* watched, QEvent* event) {
   // Of the system: a palette that this program sets makes no such event.
-  if (event->type() == QEvent::ThemeChange && chosenTheme(parts_.settings) == Theme::system)
-    use(Theme::system);
+  if (event->type() == QEvent::ThemeChange && chosen() == Theme::system) use(Theme::system);
   return QObject::eventFilter(watched, event);
 }
 
@@ -47,6 +46,10 @@ void ThemeFlow::use(Theme theme) {
   const bool isDark = theme == Theme::dark || (theme == Theme::system && parts_.isSystemDark());
   applyTheme(isDark);
   emit changed(isDark);
+}
+
+Theme ThemeFlow::chosen() const {
+  return themeNamed(parts_.settings.value("theme").toString());
 }
 
 } // namespace espalier

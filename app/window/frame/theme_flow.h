@@ -37,6 +37,7 @@ protected:
 
 private:
   void use(Theme theme);
+  [[nodiscard]] Theme chosen() const;
 
   Parts parts_;
 };

@@ -107,21 +107,6 @@ void SoakTest::work(int round) {
   QFile::remove(project);
 }
 
-TEST_F(SoakTest, KeepsNoSeparatorsOfPanelsThatWere) {
-  const QString file = writeFork("fork.mtg");
-  const auto separatorsAfter = [&](int openings) {
-    for (int i = 0; i < openings; ++i) {
-      open({file});
-      action("close_plant").trigger();
-      waitForJob();
-    }
-    return window().findChildren<QWidget*>("qt_qmainwindow_extended_splitter").size();
-  };
-  const auto first = separatorsAfter(2);
-  EXPECT_GT(first, 0); // or Qt names them otherwise
-  EXPECT_LE(separatorsAfter(8), first);
-}
-
 TEST_F(SoakTest, TakesNoFurtherMemory) {
   writeScan("scan.xyz");
   const auto begin = std::chrono::steady_clock::now();

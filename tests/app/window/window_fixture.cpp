@@ -2,7 +2,6 @@
 
 #include "app/window/files/load_files.h"
 #include "app/window/frame/action_set.h"
-#include "app/window/frame/theme.h"
 #include "core/base/random.h"
 #include "core/io/formats.h"
 #include "tests/support/plants.h"
@@ -51,7 +50,6 @@ WindowTest::~WindowTest() = default;
 
 void WindowTest::restart() {
   window_.reset();
-  useTheme(*settings_);
   window_ = std::make_unique<MainWindow>(*settings_);
   window_->resize(1280, 800);
   window_->show();

@@ -107,6 +107,21 @@ void SoakTest::work(int round) {
   QFile::remove(project);
 }
 
+TEST_F(SoakTest, KeepsNoWidgetsOfPlantsThatWere) {
+  const QString file = writeFork("fork.mtg");
+  const auto widgetsAfter = [&](int openings) {
+    for (int i = 0; i < openings; ++i) {
+      open({file});
+      action("close_plant").trigger();
+      waitForJob();
+    }
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    return window().findChildren<QWidget*>().size();
+  };
+  const auto first = widgetsAfter(2);
+  EXPECT_LE(widgetsAfter(8), first);
+}
+
 TEST_F(SoakTest, TakesNoFurtherMemory) {
   writeScan("scan.xyz");
   const auto begin = std::chrono::steady_clock::now();

@@ -11,6 +11,15 @@
 #include <algorithm>
 
 namespace espalier {
+namespace {
+
+/// Null: it has none.
+QWidget* viewOf(const QWidget& window) {
+  const auto* main = qobject_cast<const QMainWindow*>(&window);
+  return main != nullptr ? main->centralWidget() : nullptr;
+}
+
+} // namespace
 
 TourHint::TourHint(QWidget* parent)
     : QFrame(parent), title_(new QLabel(this)), text_(new QLabel(this)),
@@ -48,6 +57,7 @@ void TourHint::showText(const QString& title, const QString& text, const QString
   text_->setText(text);
   next_->setText(next);
   beside_ = beside;
+  if (QWidget* view = viewOf(*parentWidget())) view->installEventFilter(this); // once
   show();
   place();
   QTimer::singleShot(0, this, &TourHint::place); // what it stands beside may be laid out by then
@@ -67,20 +77,20 @@ void TourHint::place() {
   raise();
   constexpr int apart = 12; // [px]
   const QWidget& parent = *parentWidget();
-  QRect at(QPoint(apart, apart), size());
+  // Over the view: not over menus, forms, and hints in the status line, of which it speaks.
+  const QWidget* view = viewOf(parent);
+  const QRect room = view != nullptr ? view->geometry() : parent.rect();
+  QRect at(QPoint(), size());
+  at.moveCenter(room.center());
+  at.moveRight(room.right() - apart); // where what it is meant for is behind other tabs
   if (beside_ != nullptr && beside_->isVisible()) {
     const QRect meant(beside_->mapTo(&parent, QPoint()), beside_->size());
     const bool isLeft = meant.center().x() < parent.width() / 2;
     at.moveLeft(isLeft ? meant.right() + apart : meant.left() - width() - apart);
     at.moveTop(meant.center().y() - height() / 2);
   }
-  at.moveLeft(std::clamp(at.left(), 0, std::max(0, parent.width() - width())));
-  // Neither over the menus nor over the hints in the status line, of which it speaks.
-  const auto* window = qobject_cast<const QMainWindow*>(&parent);
-  const QWidget& room =
-      window != nullptr && window->centralWidget() != nullptr ? *window->centralWidget() : parent;
-  const int top = &room == &parent ? 0 : room.mapTo(&parent, QPoint()).y();
-  at.moveTop(std::clamp(at.top(), top, std::max(top, top + room.height() - height())));
+  at.moveLeft(std::clamp(at.left(), room.left(), std::max(room.left(), room.right() - width())));
+  at.moveTop(std::clamp(at.top(), room.top(), std::max(room.top(), room.bottom() - height())));
   setGeometry(at);
 }
 

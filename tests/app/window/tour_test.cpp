@@ -69,6 +69,23 @@ TEST_F(TourTest, GoesOnByItsButtonAndIsLeftByEscape) {
   EXPECT_FALSE(hint().isVisible());
 }
 
+TEST_F(TourTest, StaysOverTheViewWhereWhatItMeansIsNotShown) {
+  open({writeScan("scan.xyz")});
+  action("tour").trigger();
+  action("reconstruct").trigger();
+  waitForJob();
+  action("show_inspector").trigger();
+  ASSERT_FALSE(find<QWidget>("inspector").isVisible());
+  const auto isOverView = [this] {
+    return window().centralWidget()->geometry().contains(hint().geometry());
+  };
+  EXPECT_TRUE(QTest::qWaitFor(isOverView, patience));
+  action("show_node_table").trigger(); // below the view, which it makes lower
+  QTest::qWait(50);
+  EXPECT_TRUE(hint().isVisible());
+  EXPECT_TRUE(QTest::qWaitFor(isOverView, patience));
+}
+
 TEST_F(TourTest, TakesTheSamplePlantWhereNoneIsOpen) {
   action("tour").trigger();
   ASSERT_TRUE(QTest::qWaitFor([this] { return hint().isVisible(); }, patience));

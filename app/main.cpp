@@ -38,11 +38,24 @@ void endOnFatal(QtMsgType type, const QMessageLogContext&, const QString&) {
   }
 }
 
+/// The first of these that looks like an option, and names no file; null: none does.
+QString unknownOptionAmong(const QStringList& files) {
+  for (const QString& file : files)
+    if (file.startsWith('-') && !QFile::exists(file)) return file;
+  return {};
+}
+
 /// Opens the editor on the files given; returns when its window is closed.
 int runEditor(int argc, char** argv) {
   const QtMessageHandler usual = qInstallMessageHandler(endOnFatal);
   const QApplication application(argc, argv);
   qInstallMessageHandler(usual);
+  const QStringList files = QApplication::arguments().mid(1); // without options of Qt
+  if (const QString unknown = unknownOptionAmong(files); !unknown.isNull()) {
+    std::cerr << "espalier: the editor takes files, and no option " << qPrintable(unknown)
+              << ": leave it out, or name a subcommand before it (see espalier --help)\n";
+    return 2;
+  }
   std::setlocale(LC_NUMERIC, "C"); // Qt has set the system's, by which libraries write 0,5
   QApplication::setApplicationName("Espalier");
   QApplication::setOrganizationName("Espalier");
@@ -59,7 +72,6 @@ int runEditor(int argc, char** argv) {
     espalier::setWorkedOn(QFile::encodeName(project).toStdString());
   });
   window.show();
-  const QStringList files = QApplication::arguments().mid(1);
   if (!files.isEmpty()) window.open(files);
   if (const auto crash = espalier::takeCrash(logs)) window.showCrash(crash->project, crash->log);
   return QApplication::exec();

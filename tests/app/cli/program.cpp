@@ -144,8 +144,8 @@ Outcome runProgram(const Arguments& arguments, const std::string& stdoutFile) {
   return run(arguments, stdoutFile, {});
 }
 
-Outcome runOnDisplay(const std::string& display, const Arguments& arguments) {
-  return run(arguments, {}, {"DISPLAY=" + display});
+Outcome runWith(const std::string& variable, const Arguments& arguments) {
+  return run(arguments, {}, {variable});
 }
 
 Outcome runAndSignal(const Arguments& arguments, const std::string& text, int signal) {

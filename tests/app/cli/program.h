@@ -21,8 +21,8 @@ using Arguments = std::vector<std::string>;
 /// @param stdoutFile where standard output goes instead of into the outcome; empty: there
 [[nodiscard]] Outcome runProgram(const Arguments& arguments, const std::string& stdoutFile = {});
 
-/// Runs it with this value of the variable DISPLAY.
-[[nodiscard]] Outcome runOnDisplay(const std::string& display, const Arguments& arguments);
+/// Runs it with one more variable, as "NAME=value".
+[[nodiscard]] Outcome runWith(const std::string& variable, const Arguments& arguments);
 
 /// Runs it with a terminal as standard error, and sends `signal` once `text` is seen there.
 /// @return err is what the terminal showed

@@ -45,6 +45,12 @@ TEST(Usage, TheEditorNeedsADisplay) {
   expectRefusal(runProgram({test::sample("young_tree.ply")}), 1, parts);
 }
 
+TEST(Usage, TheEditorTakesNoOptions) {
+  expectRefusal(test::runWith("QT_QPA_PLATFORM=offscreen",
+                              {test::sample("young_tree.ply"), "--reference", "a.mtg"}),
+                2, {"the editor takes files, and no option --reference", "name a subcommand"});
+}
+
 TEST(Usage, PointsAreNotColoredByWhatTheyDoNotHave) {
   expectRefusal(runProgram({"picture", test::sample("young_tree.ply"), "-o",
                             (test::freshFolder() / "a.png").string(), "--color", "rgb"}),
@@ -63,7 +69,7 @@ TEST(Usage, AMistypedOptionIsReportedWithTheOneThatWasMeant) {
 }
 
 TEST(Usage, ADisplayThatNobodyServesIsReported) {
-  expectRefusal(test::runOnDisplay(":987", {}), 1,
+  expectRefusal(test::runWith("DISPLAY=:987", {}), 1,
                 {"cannot open the display :987", "use a subcommand"});
 }
 

@@ -20,6 +20,19 @@ NodeId rootOf(const Skeleton& skeleton, NodeId id) {
   return upstream(skeleton, {id}).back();
 }
 
+/// Begins a trace at the end of a branch that was clicked, if it goes on with that, though the
+/// course of the points alone leads to a place a little below. One that turns back from the end
+/// stays as it is: its points leave the wood below.
+void beginAtEnd(Trace& trace, const Skeleton& skeleton, NodeId end) {
+  if (!trace.begin || !skeleton.contains(end) || !skeleton.children(end).empty()) return;
+  const Node& node = skeleton[end];
+  if (!node.parent) return;
+  const Eigen::Vector3d along = node.position - skeleton[*node.parent].position;
+  if (along.dot(trace.places[1] - node.position) <= 0) return;
+  trace.begin = {end, 1};
+  trace.places.front() = node.position;
+}
+
 } // namespace
 
 QString TraceTool::hint() const {
@@ -124,6 +137,9 @@ void TraceTool::ask(const End& end, int alternatives) {
     const bool isWanted = start_ && (number == question_ || (!isHeld_ && !isHeld));
     if (!isWanted || traces.empty()) return;
     traces_ = traces;
+    if (start_->node)
+      for (Trace& trace : traces_)
+        beginAtEnd(trace, document().skeleton(), *start_->node);
     shownEnd_ = end;
     shown_ = 0;
     show();

@@ -83,6 +83,29 @@ TEST_F(TraceToolTest, AttachesTheBranchToItsStart) {
   expectUndone();
 }
 
+TEST_F(TraceToolTest, GoesOnFromTheEndOfABranchThatWasClicked) {
+  const NodeId end = before.ids().back();
+  ASSERT_TRUE(before.children(end).empty());
+  const Eigen::Vector3d tip = before[end].position;
+  const Eigen::Vector3d along = tip - before[*before[end].parent].position;
+  const auto traceOver = [&](const Eigen::Vector3d& next) {
+    mouse.click(onNode(end), {0, 1});
+    mouse.click(onPoint(next), {2, 3});
+    answer({Trace{{tip - 0.2 * along, next}, {0.05, 0.05}, TraceBegin{end, 0.8}}});
+    EXPECT_EQ(canvas.preview.nodes, std::vector{next});
+    tool.accept();
+  };
+  traceOver(tip + along);
+  ASSERT_EQ(document.skeleton().children(end).size(), 1U);
+  EXPECT_EQ(document.skeleton().size(), before.size() + 1);
+  document.undoStack().undo();
+  const Eigen::Vector3d aside = along.unitOrthogonal() * along.norm();
+  traceOver(tip - 0.1 * along + aside);
+  EXPECT_TRUE(document.skeleton().children(end).empty())
+      << "it turns back: its points leave the wood below";
+  EXPECT_EQ(document.skeleton().size(), before.size() + 2);
+}
+
 TEST_F(TraceToolTest, StartsOnAnEdgeInTheSameStep) {
   mouse.click(onEdge(before, test::forkTop, 0.5), {0, 0.5});
   mouse.click(onPoint({2, 0, 3}), {2, 3});

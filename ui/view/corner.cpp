@@ -92,9 +92,11 @@ QRectF boxIn(Corner corner, const QSizeF& box, const QSizeF& view, double margin
 
 OnScreen plantOnScreen(const Scene& scene, const ScreenMap& screen) {
   OnScreen found;
-  for (const Eigen::Vector3d& place : scene.outline())
-    if (const auto at = screen.project(place))
-      found.plant.emplace_back(at->pixel.x(), at->pixel.y());
+  const bool isInFocus = scene.focusDepths(screen.camera()) != FocusDepths();
+  if (!isInFocus)
+    for (const Eigen::Vector3d& place : scene.outline())
+      if (const auto at = screen.project(place))
+        found.plant.emplace_back(at->pixel.x(), at->pixel.y());
   for (const SkeletonGlyphs* glyphs : {&scene.skeleton, &scene.reference})
     addSelected(found.selected, *glyphs, screen);
   addSelectedPoints(found.selected, scene, screen);

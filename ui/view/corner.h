@@ -19,7 +19,7 @@ enum class Corner { topRight, topLeft, bottomRight, bottomLeft };
 
 /// Where some thousand places are in a view [logical pixels]; some may be beside it.
 struct OnScreen {
-  std::vector<QPointF> plant;    // all over it
+  std::vector<QPointF> plant;    // all over it; none where something is in focus: it fills the view
   std::vector<QPointF> selected; // along nodes and edges, and points
 };
 /// In a view of this size. O(nodes), and O(points) if some are hidden or selected.

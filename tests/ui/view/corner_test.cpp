@@ -124,6 +124,25 @@ TEST_F(GivesWay, ColorBarAndMinimapLeaveThePlant) {
   }
 }
 
+TEST_F(GivesWay, NothingMovesOffWhatIsBesideTheFocus) {
+  showWithItsEdgeAt({0.8, 0, 0.8}); // upper right free
+  const QRectF before = bar();
+  Camera camera = view_.camera();
+  camera.focus = {0.2, 0, 0.2};
+  const auto flyThere = [&](const std::optional<Focus>& focus) {
+    QSignalSpy settled(&view_, &PlantView::settled);
+    view_.flyTo(camera, focus);
+    EXPECT_TRUE(settled.wait());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view_.isStill(); }));
+  };
+  flyThere(Focus{.box = {Eigen::Vector3d(0, -0.1, 0), Eigen::Vector3d(0.4, 0.1, 0.4)}});
+  EXPECT_EQ(bar(), before) << "the plant fills the view, and from place to place all would move";
+  view_.focusOff();
+  camera.focus = {0.21, 0, 0.21};
+  flyThere(std::nullopt);
+  EXPECT_FALSE(plantBox().intersects(bar())) << bar().x();
+}
+
 TEST_F(GivesWay, TheHandlesAreWhereTheColorsArePainted) {
   showWithItsEdgeAt({0.2, 0, 0.2}); // which covers the upper right
   const QRectF bar = this->bar();

@@ -8,11 +8,13 @@
 #include "core/pipeline/plant_scale.h"
 #include "core/pipeline/wood_skin.h"
 #include "core/skeleton/assign_points.h"
+#include "core/skeleton/blades_along.h"
 #include "core/skeleton/path_edits.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -95,8 +97,8 @@ private:
     }
   }
 
-  /// Finds the foot of each part, and leaves out those that are the bark of the plant: too few of
-  /// their points stand off it for a branch.
+  /// Finds the foot of each part, and leaves out those that are the bark of the plant, as too few
+  /// of their points stand off it for a branch, or blades along it.
   void measure(const Progress& progress) {
     const std::vector<PointOnSkeleton> places =
         assignPoints(positions_, cloud_.origin(), skeleton_, progress);
@@ -111,9 +113,17 @@ private:
       const PointOnSkeleton& place = places[static_cast<std::size_t>(point)];
       return place.distance > bark_[indexOf(place.child)] && toWood(point) > 2 * tolerance_;
     };
+    const auto offWood = [&](Eigen::Index point) {
+      const PointOnSkeleton& place = places[static_cast<std::size_t>(point)];
+      return PointOffWood{positions_.col(point).cast<double>() + cloud_.origin(), place.child,
+                          place.distance - bark_[indexOf(place.child)]};
+    };
     std::erase_if(parts_, [&](const Part& part) {
       const std::size_t least = std::min(fewestPoints, (part.points.size() + 1) / 2);
-      return std::ranges::count_if(part.points, isOffTheBark) < std::ptrdiff_t(least);
+      if (std::ranges::count_if(part.points, isOffTheBark) < std::ptrdiff_t(least)) return true;
+      std::vector<PointOffWood> points;
+      std::ranges::transform(part.points, std::back_inserter(points), offWood);
+      return isBladeAlong(skeleton_, points, whole_.spacing);
     });
   }
 

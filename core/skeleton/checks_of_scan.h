@@ -16,7 +16,7 @@ namespace espalier {
 /// All findings that a scan shows: those of the checks below, of beside_points.h and short_foot.h.
 /// A branch that no points are near to at all is not reported again for having none of its own, nor
 /// wood that is likelier hidden (unseen_wood.h), nor points that are off because wood lies beside
-/// them or a foot is short.
+/// them or a foot is short, or that are a blade along an axis (blades_along.h).
 /// @param distances of the points of the scan to `skeleton`
 /// @param index     of the positions of their cloud
 /// @param spacing   between neighboring points [L]

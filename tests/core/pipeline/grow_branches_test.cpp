@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace espalier {
 namespace {
@@ -86,6 +87,19 @@ TEST(GrownFromUnexplained, GrowsNothingOfRoughBark) {
   EXPECT_NEAR(trunk()[branches[0].on].position.z(), 0.8, 0.25);
   const auto barkAlone = scanOf(test::both(trunkPoints(), bark));
   EXPECT_THROW((void)grownFromUnexplained(trunk(), barkAlone, {.tolerance = 0.05}), Error);
+}
+
+TEST(GrownFromUnexplained, GrowsNothingOfABladeAlongAnAxis) {
+  Eigen::Matrix3Xf blade(3, 51 * 101);
+  for (int i = 0; i <= 100; ++i)
+    for (int k = 0; k <= 50; ++k)
+      blade.col(51 * i + k) << 0.04F + 0.01F * static_cast<float>(k), 0,
+          0.5F + 0.01F * static_cast<float>(i);
+  const auto alone = scanOf(test::both(trunkPoints(), blade));
+  EXPECT_THROW((void)grownFromUnexplained(trunk(), alone), Error);
+  std::vector<Eigen::Index> chosen(static_cast<std::size_t>(blade.cols()));
+  std::iota(chosen.begin(), chosen.end(), trunkPoints().cols());
+  EXPECT_FALSE(grownBranches(trunk(), alone, chosen).empty()) << "who chooses points means them";
 }
 
 // Two branches leave the trunk, at z = 0.8 to the right and at z = 1.2 to the left.

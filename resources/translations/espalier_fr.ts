@@ -2927,10 +2927,6 @@
 <context>
     <name>Worklist</name>
     <message>
-        <source>F %1</source>
-        <translation>F %1</translation>
-    </message>
-    <message>
         <source>, T %1</source>
         <translation>, T %1</translation>
     </message>
@@ -2981,6 +2977,10 @@
     <message>
         <source>In review</source>
         <translation>En révision</translation>
+    </message>
+    <message>
+        <source>F %1 within %2</source>
+        <translation>F %1 à %2 près</translation>
     </message>
 </context>
 <context>
@@ -17281,16 +17281,16 @@ Chargez une référence pour voir comment les deux s’accordent.</translation>
         <translation>Second annotateur</translation>
     </message>
     <message>
-        <source>F of both structures, at the usual tolerance</source>
-        <translation>F des deux structures, à la tolérance habituelle</translation>
-    </message>
-    <message>
         <source>Agreement</source>
         <translation>Accord</translation>
     </message>
     <message>
         <source>under 1</source>
         <translation>moins de 1</translation>
+    </message>
+    <message>
+        <source>F of both structures; the tip of a row says within which distance</source>
+        <translation>F des deux structures&#xa0;; l’infobulle d’une ligne dit à quelle distance près</translation>
     </message>
 </context>
 <context>

@@ -112,9 +112,11 @@ QChar stageOf(const WorklistRow& row) {
   return row.isRead ? letters[static_cast<int>(row.stage())] : letters[5];
 }
 
-/// "F 0.93, T 0.88 with Ben"
+/// "F 0.93 within 0.012, T 0.88 with Ben", the distance in the units of the scan
 QString agreementText(const SealedAgreement& agreement) {
-  QString text = WorklistText::tr("F %1").arg(agreement.f, 0, 'f', 2);
+  QString text = WorklistText::tr("F %1 within %2")
+                     .arg(QString::number(agreement.f, 'f', 2),
+                          formatLength(agreement.distance, LengthUnit::unknown, 3));
   if (agreement.structural)
     text += WorklistText::tr(", T %1").arg(*agreement.structural, 0, 'f', 2);
   return WorklistText::tr("%1 with %2").arg(text, QString::fromStdString(agreement.with));
@@ -256,7 +258,8 @@ QVariant WorklistModel::headerData(int section, Qt::Orientation orientation, int
     return isTip ? tr("Who else works on the same scan, or whose structure the seal names")
                  : tr("Second annotator");
   case agreementColumn:
-    return isTip ? tr("F of both structures, at the usual tolerance") : tr("Agreement");
+    return isTip ? tr("F of both structures; the tip of a row says within which distance")
+                 : tr("Agreement");
   default:
     return cellOf(others_.value(section - columns).toStdString());
   }

@@ -53,6 +53,16 @@ TEST(WorklistModel, CountsWholeMinutesAsASealAndShowsWhatIsNotKnownAsADash) {
   EXPECT_EQ(cell(model, WorklistModel::agreementColumn), "–");
 }
 
+TEST(WorklistModel, SaysWithinWhichDistanceTwoAgree) {
+  WorklistModel model;
+  ListedPlant plant = plantOf("a.espalier", WorkStage::inReview);
+  plant.agreement = {.with = "Ben", .distance = 0.012, .f = 0.93, .structural = 0.88};
+  model.show({plant}, {});
+  EXPECT_EQ(cell(model, WorklistModel::agreementColumn), "0.93");
+  const std::string tip = model.index(0, 0).data(Qt::ToolTipRole).toString().toStdString();
+  EXPECT_NE(tip.find("F 0.93 within 0.0120, T 0.88 with Ben"), std::string::npos) << tip;
+}
+
 TEST(WorklistModel, KeepsItsRowsWhereOnlyTheirContentChanges) {
   WorklistModel model;
   model.show({plantOf("a.espalier", WorkStage::toDo)}, {});

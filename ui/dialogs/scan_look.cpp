@@ -4,7 +4,6 @@
 #include "ui/document/shown_message.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 
@@ -164,8 +163,7 @@ QString reasonText(const GlanceGuess& guess) {
 }
 
 QString memoryText(std::uint64_t points) {
-  return QLocale::c().formattedDataSize(static_cast<qint64>(points * bytesPerPoint), 1,
-                                        QLocale::DataSizeSIFormat);
+  return formatBytes(points * bytesPerPoint);
 }
 
 std::uint64_t pointsIn(const Eigen::AlignedBox3d& box, const PointGlance& glance) {

@@ -2,6 +2,8 @@
 
 #include "ui/document/number_scale.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +12,10 @@ namespace espalier {
 namespace {
 
 constexpr std::array units = {LengthUnit::millimeter, LengthUnit::centimeter, LengthUnit::meter};
+
+struct LengthUnitText {
+  Q_DECLARE_TR_FUNCTIONS(LengthUnitText)
+};
 
 } // namespace
 
@@ -62,6 +68,17 @@ QString formatVolume(double volume, LengthUnit unit) {
 
 QString formatCount(std::size_t count) {
   return numberText(static_cast<double>(count), 0);
+}
+
+QString formatBytes(std::uint64_t bytes) {
+  const auto number = [&](double unit) {
+    return formatLength(static_cast<double>(bytes) / unit, LengthUnit::unknown, 3);
+  };
+  if (bytes == 1) return LengthUnitText::tr("1 byte");
+  if (bytes < 1000) return LengthUnitText::tr("%1 bytes").arg(bytes);
+  if (bytes < 1'000'000) return LengthUnitText::tr("%1 kB").arg(number(1e3));
+  if (bytes < 1'000'000'000) return LengthUnitText::tr("%1 MB").arg(number(1e6));
+  return LengthUnitText::tr("%1 GB").arg(number(1e9));
 }
 
 } // namespace espalier

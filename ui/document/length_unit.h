@@ -3,6 +3,7 @@
 #include <QString>
 
 #include <cstddef>
+#include <cstdint>
 
 namespace espalier {
 
@@ -27,5 +28,8 @@ enum class LengthUnit { unknown, millimeter, centimeter, meter };
 
 /// A count with its digits in threes: "147 989".
 [[nodiscard]] QString formatCount(std::size_t count);
+
+/// A size of a file or in memory as people read it, to three digits: "33.9 MB", of 1000 kB each.
+[[nodiscard]] QString formatBytes(std::uint64_t bytes);
 
 } // namespace espalier

@@ -7,13 +7,13 @@
 #include "core/base/error.h"
 #include "core/io/dropped.h"
 #include "core/mtg/mtg_of_skeleton.h"
+#include "ui/document/length_unit.h"
 #include "ui/document/plant_document.h"
 #include "ui/document/shown_message.h"
 #include "ui/jobs/job_slot.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLocale>
 #include <QSettings>
 
 #include <algorithm>
@@ -176,13 +176,12 @@ void ProjectFlow::compact() {
   Project& project = named();
   recorder_.flush();
   const QString path = pathOf(*recorder_.project());
-  const qint64 before = QFileInfo(path).size();
+  const auto size = [&] { return static_cast<std::uint64_t>(QFileInfo(path).size()); };
+  const std::uint64_t before = size();
   project.compact();
-  const QLocale locale;
-  emit reported({.text = tr("%1 is %2 now; it was %3")
-                             .arg(QFileInfo(path).fileName(),
-                                  locale.formattedDataSize(QFileInfo(path).size()),
-                                  locale.formattedDataSize(before))});
+  emit reported(
+      {.text = tr("%1 is %2 now; it was %3")
+                   .arg(QFileInfo(path).fileName(), formatBytes(size()), formatBytes(before))});
 }
 
 bool ProjectFlow::holdsMoreThanItsFile() const {

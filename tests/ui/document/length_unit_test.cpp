@@ -26,5 +26,14 @@ TEST(FormatCount, GroupsDigitsInThrees) {
   EXPECT_EQ(formatCount(1234567), QString::fromUtf8("1\u202f234\u202f567"));
 }
 
+TEST(FormatBytes, HasThreeDigitsAndTheLargestUnitThatFits) {
+  EXPECT_EQ(formatBytes(0), "0 bytes");
+  EXPECT_EQ(formatBytes(1), "1 byte");
+  EXPECT_EQ(formatBytes(999), "999 bytes");
+  EXPECT_EQ(formatBytes(1000), "1.00 kB");
+  EXPECT_EQ(formatBytes(33'887'400), "33.9 MB");
+  EXPECT_EQ(formatBytes(2'500'000'000), "2.50 GB");
+}
+
 } // namespace
 } // namespace espalier

@@ -62,7 +62,7 @@ GlanceGuess guessedUnit(const Eigen::AlignedBox3d& bounds) {
   const std::string size = roundedText(extent);
   if (unit.empty() && extent > 1)
     return {"",
-            {Shown::tr("in m it would be %1 m large, in mm %1 mm: few plants are either"), {size}},
+            {Shown::tr("it would be %1 m, %1 cm or %1 mm large: choose which it is"), {size}},
             false};
   if (unit.empty()) return {"", {Shown::tr("the size does not show it")}, false};
   if (unit == "mm")

@@ -12773,8 +12773,8 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>des coordonnées si loin de 0 sont celles d’une carte</translation>
     </message>
     <message>
-        <source>in m it would be %1 m large, in mm %1 mm: few plants are either</source>
-        <translation>en m elle ferait %1 m, en mm %1 mm&#xa0;: peu de plantes font l’un ou l’autre</translation>
+        <source>it would be %1 m, %1 cm or %1 mm large: choose which it is</source>
+        <translation>elle ferait %1 m, %1 cm ou %1 mm&#xa0;: choisissez ce qu’il en est</translation>
     </message>
     <message>
         <source>the size does not show it</source>

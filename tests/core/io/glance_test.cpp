@@ -105,7 +105,7 @@ TEST(GlanceAt, GuessesNoUnitWhereASizeIsRareInEach) {
   const PointGlance glance = glanceAt(glanceFile("herb.xyz", "0 0 0\n3 4 46.2\n"));
   EXPECT_EQ(glance.unit.value, "");
   EXPECT_EQ(inEnglish(glance.unit.reason),
-            "in m it would be 46.2 m large, in mm 46.2 mm: few plants are either");
+            "it would be 46.2 m, 46.2 cm or 46.2 mm large: choose which it is");
 }
 
 TEST(GlanceAt, EstimatesTheLinesOfALongText) {

@@ -1,5 +1,6 @@
 #include "app/report/certificate.h"
 
+#include "app/report/pdf_report.h"
 #include "app/report/report_sections.h"
 #include "ui/document/seal_text.h"
 
@@ -9,10 +10,13 @@
 namespace espalier {
 namespace {
 
-// More would not fit the page.
-constexpr std::size_t mostComments = 3;
 constexpr qsizetype longestComment = 80; // letters
-constexpr int figuresAcross = 5;
+
+/// How much of the page is for what may be less.
+struct CertificateRoom {
+  int figuresAcross = 5;
+  std::size_t comments = 10; // at most
+};
 
 QString shortened(const QString& text) {
   return text.size() <= longestComment ? text : text.left(longestComment - 1) + QChar(0x2026);
@@ -38,8 +42,8 @@ ReportWarnings warningsOf(const Seal& seal) {
   return warnings;
 }
 
-ReportFigures figures(const ReportPictures& pictures) {
-  ReportFigures shown{.across = figuresAcross, .figures = {}};
+ReportFigures figures(const ReportPictures& pictures, int across) {
+  ReportFigures shown{.across = across, .figures = {}};
   const auto add = [&](const QImage& image, const QString& title) {
     if (!image.isNull()) shown.figures.push_back({image, title, {}});
   };
@@ -58,20 +62,49 @@ ReportTable sealTable(const Seal& seal, LengthUnit unit) {
   return table;
 }
 
-ReportTable commentsTable(const std::vector<SealedComment>& comments) {
+ReportTable commentsTable(const std::vector<SealedComment>& comments, std::size_t most) {
   ReportTable table;
   table.columns = {
       {ReportText::tr("comment"), false}, {ReportText::tr("by"), false}, {ReportText::tr("nodes")}};
   for (const SealedComment& comment : comments)
-    if (table.rows.size() < mostComments)
+    if (table.rows.size() < most)
       table.rows.push_back(
           {{shortened(comment.text)}, {comment.reviewer}, {formatCount(comment.nodes)}});
-  if (comments.size() > mostComments)
+  if (comments.size() > most)
     table.rows.push_back(
-        {{ReportText::tr("and %1 more, in the project").arg(comments.size() - mostComments)},
-         {},
-         {}});
+        {{ReportText::tr("and %1 more, in the project").arg(comments.size() - most)}, {}, {}});
   return table;
+}
+
+Report certificateIn(const CertificateRoom& room, const Seal& seal, const ReportPictures& pictures,
+                     const CertificateAbout& about) {
+  Report report{.title = ReportText::tr("Certificate of a reference"),
+                .facts = {about.plant.name, ReportText::tr("Espalier %1").arg(about.version)},
+                .sections = {}};
+  ReportSection statement{ReportText::tr("Signed by %1").arg(signatureOf(seal)), {}};
+  statement.blocks.emplace_back(ReportParagraph{
+      seal.isAllLookedAt()
+          ? ReportText::tr("The signer has looked at all of this structure, and to their knowledge "
+                           "it is right.")
+          : ReportText::tr("To the signer's knowledge this structure is right, also where they did "
+                           "not look closely.")});
+  if (ReportWarnings warnings = warningsOf(seal); !warnings.lines.isEmpty())
+    statement.blocks.emplace_back(std::move(warnings));
+  if (ReportFigures shown = figures(pictures, room.figuresAcross); !shown.figures.empty())
+    statement.blocks.emplace_back(std::move(shown));
+  statement.blocks.emplace_back(sealTable(seal, about.unit));
+  if (!about.comments.empty())
+    statement.blocks.emplace_back(commentsTable(about.comments, room.comments));
+  std::vector<std::pair<QString, ReportedFile>> files = {
+      {ReportText::tr("structure"), about.plant}};
+  if (about.scan) files.emplace_back(ReportText::tr("scan"), *about.scan);
+  statement.blocks.emplace_back(inputsTable(files));
+  if (!pictures.problem.isEmpty())
+    statement.blocks.emplace_back(
+        ReportParagraph{ReportText::tr("There are no pictures: %1").arg(pictures.problem),
+                        ReportParagraph::Look::note});
+  report.sections.push_back(std::move(statement));
+  return report;
 }
 
 } // namespace
@@ -95,31 +128,18 @@ std::vector<SealedComment> commentsOf(const Skeleton& skeleton) {
 
 Report certificate(const Seal& seal, const ReportPictures& pictures,
                    const CertificateAbout& about) {
-  Report report{.title = ReportText::tr("Certificate of a reference"),
-                .facts = {about.plant.name, ReportText::tr("Espalier %1").arg(about.version)},
-                .sections = {}};
-  ReportSection statement{ReportText::tr("Signed by %1").arg(signatureOf(seal)), {}};
-  statement.blocks.emplace_back(ReportParagraph{
-      seal.isAllLookedAt()
-          ? ReportText::tr("The signer has looked at all of this structure, and to their knowledge "
-                           "it is right.")
-          : ReportText::tr("To the signer's knowledge this structure is right, also where they did "
-                           "not look closely.")});
-  if (ReportWarnings warnings = warningsOf(seal); !warnings.lines.isEmpty())
-    statement.blocks.emplace_back(std::move(warnings));
-  if (ReportFigures shown = figures(pictures); !shown.figures.empty())
-    statement.blocks.emplace_back(std::move(shown));
-  statement.blocks.emplace_back(sealTable(seal, about.unit));
-  if (!about.comments.empty()) statement.blocks.emplace_back(commentsTable(about.comments));
-  std::vector<std::pair<QString, ReportedFile>> files = {
-      {ReportText::tr("structure"), about.plant}};
-  if (about.scan) files.emplace_back(ReportText::tr("scan"), *about.scan);
-  statement.blocks.emplace_back(inputsTable(files));
-  if (!pictures.problem.isEmpty())
-    statement.blocks.emplace_back(
-        ReportParagraph{ReportText::tr("There are no pictures: %1").arg(pictures.problem),
-                        ReportParagraph::Look::note});
-  report.sections.push_back(std::move(statement));
+  CertificateRoom room;
+  room.comments = std::min(room.comments, about.comments.size());
+  Report report = certificateIn(room, seal, pictures, about);
+  while (pdfPagesOf(report) > 1 && (room.comments > 0 || room.figuresAcross < 8)) {
+    if (room.comments > 1)
+      --room.comments;
+    else if (room.figuresAcross < 8)
+      ++room.figuresAcross;
+    else
+      room.comments = 0;
+    report = certificateIn(room, seal, pictures, about);
+  }
   return report;
 }
 

@@ -33,7 +33,8 @@ struct CertificateAbout {
 };
 
 /// One page on a signed structure: who stands by it, what it was like when it was signed, and what
-/// it looks like. Deterministic: it reads no clock.
+/// it looks like. Of many comments, those that have room. Deterministic: it reads no clock. Needs a
+/// QGuiApplication, for fonts.
 [[nodiscard]] Report certificate(const Seal& seal, const ReportPictures& pictures,
                                  const CertificateAbout& about);
 

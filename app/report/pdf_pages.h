@@ -28,6 +28,7 @@ public:
   [[nodiscard]] double width() const;  // of what can be written on
   [[nodiscard]] double height() const; //
   [[nodiscard]] double y() const { return y_; }
+  [[nodiscard]] int page() const { return page_; } // from 1 on
   [[nodiscard]] QPainter& painter() { return *painter_; }
 
   /// Goes to the next page unless so much is left; pre: nothing is higher than a page

@@ -28,8 +28,8 @@ class PdfReport {
 public:
   explicit PdfReport(const Report& report);
 
-  void add(const ReportSection& section);
   [[nodiscard]] QByteArray bytes() { return pages_.bytes(); }
+  [[nodiscard]] int pages() const { return pages_.page(); }
 
   void operator()(const ReportParagraph& paragraph);
   void operator()(const ReportWarnings& warnings);
@@ -41,6 +41,7 @@ public:
   void operator()(const ReportTerms& terms);
 
 private:
+  void add(const ReportSection& section);
   void addText(const QString& text, const PdfText& look, double indent = 0);
   void addFigure(const ReportFigures::Figure& figure, const QRectF& box);
   [[nodiscard]] QSizeF sizeOf(const ReportFigures& figures, double room) const;
@@ -59,6 +60,8 @@ PdfReport::PdfReport(const Report& report) : pages_(report.title) {
   pages_.advance(6);
   pages_.painter().fillRect(QRectF(0, pages_.y(), pages_.width(), 2.5), accent);
   pages_.advance(8);
+  for (const ReportSection& section : report.sections)
+    add(section);
 }
 
 void PdfReport::add(const ReportSection& section) {
@@ -241,10 +244,11 @@ void PdfReport::operator()(const ReportTerms& terms) {
 } // namespace
 
 QByteArray pdfOf(const Report& report) {
-  PdfReport pdf(report);
-  for (const ReportSection& section : report.sections)
-    pdf.add(section);
-  return pdf.bytes();
+  return PdfReport(report).bytes();
+}
+
+int pdfPagesOf(const Report& report) {
+  return PdfReport(report).pages();
 }
 
 } // namespace espalier

@@ -11,4 +11,7 @@ namespace espalier {
 /// Needs a QGuiApplication, for fonts.
 [[nodiscard]] QByteArray pdfOf(const Report& report);
 
+/// How many pages that has. Cost: as pdfOf().
+[[nodiscard]] int pdfPagesOf(const Report& report);
+
 } // namespace espalier

@@ -1,6 +1,9 @@
+#include "app/report/pdf_report.h"
 #include "app/window/review/findings_flow.h"
 #include "core/io/formats.h"
 #include "core/project/seal.h"
+#include "tests/app/report/reported_plants.h"
+#include "tests/app/report/whole_seal.h"
 #include "tests/app/window/project_fixture.h"
 
 #include <QComboBox>
@@ -10,6 +13,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
+#include <QTranslator>
 
 namespace espalier {
 namespace {
@@ -312,6 +316,17 @@ TEST_F(SealWindowTest, StatesHowItAgreesWithTheReferenceAndWhatPointsHaveNoWood)
   const QString text = asked();
   EXPECT_TRUE(text.contains("Agreement with fork.mtg")) << text.toStdString();
   EXPECT_TRUE(text.contains("Points without wood"));
+}
+
+TEST_F(SealWindowTest, HasRoomForTheFrenchCertificateOnOnePage) {
+  QTranslator french;
+  ASSERT_TRUE(french.load("espalier_fr", ":/translations"));
+  QApplication::installTranslator(&french);
+  const Report certificate = test::crowdedCertificate();
+  const QByteArray pdf = pdfOf(certificate);
+  QApplication::removeTranslator(&french);
+  EXPECT_TRUE(certificate.sections.front().title.startsWith("Signé")) << "in French";
+  EXPECT_EQ(test::pagesOf(pdf), 1);
 }
 
 TEST_F(SealWindowTest, HasACertificateOfOnePage) {

@@ -113,6 +113,27 @@ TEST_F(WorklistWindowTest, OpensWhatIsChosenAndTheNextThatIsNotSigned) {
   EXPECT_EQ(openName(), "a.espalier") << "from the top again";
 }
 
+TEST_F(WorklistWindowTest, KeepsItsHeightWhilePlantsComeAndGoAndInTheNextSession) {
+  const QString file = writeProject("a.espalier", "Anna");
+  chooseFolderOfPlants();
+  open({file});
+  const auto dock = [this] { return &find<QDockWidget>("worklist"); };
+  constexpr int chosen = 330; // [px]
+  window().resizeDocks({dock()}, {chosen}, Qt::Vertical);
+  const auto hasHeight = [&] {
+    return QTest::qWaitFor([&] { return dock()->height() == chosen; }, soon);
+  };
+  EXPECT_TRUE(hasHeight());
+  action("close_plant").trigger();
+  waitForJob();
+  EXPECT_TRUE(hasHeight()) << "on the start page";
+  window().close(); // which keeps the layout
+  restart();
+  EXPECT_TRUE(hasHeight()) << "in the next session";
+  open({file});
+  EXPECT_TRUE(hasHeight()) << "with a plant";
+}
+
 TEST_F(WorklistWindowTest, FollowsWhatIsDoneToThePlantThatIsOpen) {
   writeProject("a.espalier", "Anna");
   writeProject("b.espalier", "Anna");

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/skeleton/axes.h"
+#include "core/skeleton/edge_index.h"
 #include "core/skeleton/frustum.h"
 #include "core/skeleton/length_along.h"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -52,6 +54,32 @@ public:
       shift += change - change.dot(along_) * along_;
     }
     return shift;
+  }
+
+  /// The middle of points in one layer that is wider than the wood, as of a blade [L]. None: they
+  /// lie about the wood, or on one side of it.
+  [[nodiscard]] std::optional<Eigen::Vector3d> middleOfBlade() const {
+    constexpr double thickest = 0.15; // of its width, as standard deviations
+    constexpr double narrowest =
+        0.5; // radii, likewise: an arc of the wood that looks flat is narrower
+    const double count = static_cast<double>(points_.size());
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    double radius = 0;
+    for (const Aside& point : points_) {
+      middle += (point.offset - point.offset.dot(along_) * along_) / count;
+      radius += point.radius / count;
+    }
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const Aside& point : points_) {
+      const Eigen::Vector3d off = point.offset - point.offset.dot(along_) * along_ - middle;
+      spread += off * off.transpose() / count;
+    }
+    const Eigen::Vector3d variances =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread, Eigen::EigenvaluesOnly)
+            .eigenvalues(); // ascending, the first along the wood
+    const bool isLayer = variances[1] <= thickest * thickest * variances[2];
+    const bool isWide = variances[2] >= std::pow(narrowest * radius, 2);
+    return isLayer && isWide ? std::optional(middle) : std::nullopt;
   }
 
   /// The median distance of the points from the surface of wood that is moved [L].
@@ -112,6 +140,54 @@ private:
   std::vector<double> lowest_;  // that each body and those behind begin at [L]
 };
 
+/// The nodes of an axis up to `reach` [L] from one of them and the next ones, upward.
+std::vector<NodeId> axisAround(const Skeleton& skeleton, NodeId id, double reach) {
+  std::vector<NodeId> run = {id};
+  double length = 0;
+  for (auto at = previousOnAxis(skeleton, id); at && length < reach;
+       at = previousOnAxis(skeleton, *at)) {
+    length += edgeLength(skeleton, run.back());
+    run.push_back(*at);
+  }
+  if (length < reach && skeleton[run.back()].parent) run.push_back(*skeleton[run.back()].parent);
+  std::ranges::reverse(run);
+  length = 0;
+  for (auto at = nextOnAxis(skeleton, id); at && length < reach; at = nextOnAxis(skeleton, *at)) {
+    run.push_back(*at);
+    length += edgeLength(skeleton, *at);
+  }
+  return run;
+}
+
+/// The wood around a node, and the points about it; none: these are too few.
+/// @param width     as Fit has it [L]
+/// @param eachPoint calls its second argument with each point [L] that is nearest to the edge of
+///                  its first
+template <class EachPoint>
+std::optional<Fit> fitAround(const Skeleton& skeleton, NodeId id, double spacing, double width,
+                             const EachPoint& eachPoint) {
+  const double radius = skeleton[id].radius;
+  const double reach = std::max(4 * spacing, radius);
+  const std::vector<NodeId> run =
+      axisAround(skeleton, id, 3 * reach); // so far it may lead aside and back
+  const Eigen::Vector3d along = skeleton[run.back()].position - skeleton[run.front()].position;
+  if (along.isZero(0)) return std::nullopt;
+  const Course course(skeleton, run, along.normalized());
+  const double height = course.heightOf(skeleton[id].position);
+  std::vector<Aside> points;
+  const double farthest = 3 * std::max(radius, 4 * spacing);
+  for (std::size_t i = 1; i < run.size(); ++i)
+    eachPoint(run[i], [&](const Eigen::Vector3d& place) {
+      if (std::abs(course.heightOf(place) - height) > reach) return;
+      const std::optional<Aside> aside = course.asideOf(place);
+      if (!aside || aside->offset.norm() > aside->radius + farthest) return; // other wood
+      points.push_back(*aside);
+    });
+  constexpr std::size_t fewest = 6; // that say where the wood is
+  if (points.size() < fewest) return std::nullopt;
+  return Fit(std::move(points), along.normalized(), width);
+}
+
 class Beside {
 public:
   Beside(const Skeleton& skeleton, const PointDistances& distances, double spacing,
@@ -125,55 +201,21 @@ public:
 
   /// How far the wood around a node is beside its points, if it is.
   [[nodiscard]] std::optional<double> at(NodeId id) const {
-    const double radius = skeleton_[id].radius;
-    const double least = std::max(options_.besideUnits * exactness_, options_.besideRadii * radius);
-    const double reach = std::max(4 * spacing_, radius);
-    const std::vector<NodeId> run = around(id, 3 * reach); // so far it may lead aside and back
-    const Eigen::Vector3d along = skeleton_[run.back()].position - skeleton_[run.front()].position;
-    if (along.isZero(0)) return std::nullopt;
-    const Course course(skeleton_, run, along.normalized());
-    const double height = course.heightOf(skeleton_[id].position);
-    std::vector<Aside> points;
-    const double farthest = 3 * std::max(radius, 4 * spacing_);
-    for (std::size_t i = 1; i < run.size(); ++i)
-      for (const Eigen::Index point : pointsOf_[indexOf(run[i])]) {
-        const Eigen::Vector3d place = distances_.cloud()->position(point);
-        if (std::abs(course.heightOf(place) - height) > reach) continue;
-        const std::optional<Aside> aside = course.asideOf(place);
-        if (!aside || aside->offset.norm() > aside->radius + farthest) continue; // other wood
-        points.push_back(*aside);
-      }
-    constexpr std::size_t fewest = 6; // that say where the wood is
-    if (points.size() < fewest) return std::nullopt;
-    const Fit fit(std::move(points), along.normalized(), least);
-    const Eigen::Vector3d shift = fit.shift();
+    const double least =
+        std::max(options_.besideUnits * exactness_, options_.besideRadii * skeleton_[id].radius);
+    const auto eachPoint = [&](NodeId edge, const auto& take) {
+      for (const Eigen::Index point : pointsOf_[indexOf(edge)])
+        take(distances_.cloud()->position(point));
+    };
+    const std::optional<Fit> fit = fitAround(skeleton_, id, spacing_, least, eachPoint);
+    if (!fit) return std::nullopt;
+    const Eigen::Vector3d shift = fit->shift();
     if (shift.norm() <= least) return std::nullopt;
-    const double now = fit.distance(Eigen::Vector3d::Zero());
-    return 2 * fit.distance(shift) < now ? std::optional(shift.norm()) : std::nullopt;
+    const double now = fit->distance(Eigen::Vector3d::Zero());
+    return 2 * fit->distance(shift) < now ? std::optional(shift.norm()) : std::nullopt;
   }
 
 private:
-  /// The nodes of an axis up to `reach` [L] from one of them and the next ones, upward.
-  [[nodiscard]] std::vector<NodeId> around(NodeId id, double reach) const {
-    std::vector<NodeId> run = {id};
-    double length = 0;
-    for (auto at = previousOnAxis(skeleton_, id); at && length < reach;
-         at = previousOnAxis(skeleton_, *at)) {
-      length += edgeLength(skeleton_, run.back());
-      run.push_back(*at);
-    }
-    if (length < reach && skeleton_[run.back()].parent)
-      run.push_back(*skeleton_[run.back()].parent);
-    std::ranges::reverse(run);
-    length = 0;
-    for (auto at = nextOnAxis(skeleton_, id); at && length < reach;
-         at = nextOnAxis(skeleton_, *at)) {
-      run.push_back(*at);
-      length += edgeLength(skeleton_, *at);
-    }
-    return run;
-  }
-
   const Skeleton& skeleton_;
   const PointDistances& distances_;
   double spacing_;   // [L]
@@ -211,6 +253,28 @@ std::vector<Finding> axesBesidePoints(const Skeleton& skeleton, const PointDista
     amount = std::max(amount, shifts[indexOf(id)]);
   }
   return findings;
+}
+
+std::optional<Eigen::Vector3d> shiftToPoints(const Skeleton& skeleton, NodeId id,
+                                             const std::vector<Eigen::Vector3d>& near,
+                                             double spacing) {
+  const EdgeIndex wood(bodiesOf(skeleton));
+  std::map<NodeId, std::vector<Eigen::Vector3d>> ofEdge;
+  for (const Eigen::Vector3d& place : near)
+    if (const auto nearest = wood.nearest(place)) ofEdge[nearest->node].push_back(place);
+  const auto eachPoint = [&](NodeId edge, const auto& take) {
+    if (const auto found = ofEdge.find(edge); found != ofEdge.end())
+      std::ranges::for_each(found->second, take);
+  };
+  const CheckOptions limits;
+  const double width =
+      std::max(limits.besideUnits * spacing, limits.besideRadii * skeleton[id].radius);
+  const std::optional<Fit> fit = fitAround(skeleton, id, spacing, width, eachPoint);
+  if (!fit) return std::nullopt;
+  if (const auto middle = fit->middleOfBlade()) return middle;
+  const Eigen::Vector3d shift = fit->shift();
+  const bool isNearer = fit->distance(shift) < fit->distance(Eigen::Vector3d::Zero());
+  return isNearer ? std::optional(shift) : std::nullopt;
 }
 
 } // namespace espalier

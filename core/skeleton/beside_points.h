@@ -5,6 +5,9 @@
 #include "core/skeleton/finding.h"
 #include "core/skeleton/point_distances.h"
 
+#include <Eigen/Core>
+
+#include <optional>
 #include <vector>
 
 namespace espalier {
@@ -25,5 +28,15 @@ namespace espalier {
                                                     const PointDistances& distances, double spacing,
                                                     double exactness, const CheckOptions& options,
                                                     const Progress& progress = {});
+
+/// By how much a node is to be moved so that the points about it lie on the surface of its wood,
+/// whose radius stays, or that it is amid them if they are a blade. None: they are too few, or as
+/// near now.
+/// @param near    points within some radii of the node, of any wood [L]
+/// @param spacing between neighboring points [L], > 0
+/// Time O((n + points) log n).
+[[nodiscard]] std::optional<Eigen::Vector3d> shiftToPoints(const Skeleton& skeleton, NodeId id,
+                                                           const std::vector<Eigen::Vector3d>& near,
+                                                           double spacing);
 
 } // namespace espalier

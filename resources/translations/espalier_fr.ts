@@ -859,8 +859,8 @@
         <translation>Centrer&#xa0;: %1</translation>
     </message>
     <message>
-        <source>the points around %1 show no circle: move it by hand</source>
-        <translation>les points alentour ne montrent aucun cercle (%1)&#xa0;: déplacez à la main</translation>
+        <source>the points around %1 show no middle: move it by hand</source>
+        <translation>les points alentour ne montrent aucun milieu (%1)&#xa0;: déplacez à la main</translation>
     </message>
     <message>
         <source>Take the mark off %1</source>
@@ -967,8 +967,8 @@
         <translation>Déplacer au centre de la section</translation>
     </message>
     <message>
-        <source>Moves the node to the middle of the circle of points around it</source>
-        <translation>Déplace le nœud au milieu du cercle des points qui l’entourent</translation>
+        <source>Moves the node to the middle of the points around it, of a circle where they show one</source>
+        <translation>Déplace le nœud au milieu des points qui l’entourent, d’un cercle s’ils en montrent un</translation>
     </message>
     <message>
         <source>Increase Radius</source>
@@ -1007,8 +1007,8 @@
         <translation>%1 nœuds</translation>
     </message>
     <message>
-        <source>the points around %1 show no circles: move them by hand</source>
-        <translation>les points autour de %1 ne montrent pas de cercles&#xa0;: déplacez-les à la main</translation>
+        <source>the points around %1 show no middle: move them by hand</source>
+        <translation>les points autour de %1 ne montrent pas de milieu&#xa0;: déplacez-les à la main</translation>
     </message>
 </context>
 <context>

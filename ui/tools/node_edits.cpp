@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/mtg/unit_scales.h"
 #include "core/skeleton/axes.h"
+#include "core/skeleton/beside_points.h"
 #include "core/skeleton/edits.h"
 #include "core/skeleton/path_edits.h"
 #include "core/skeleton/propose_child.h"
@@ -181,16 +182,22 @@ void center(PlantDocument& document, const NodeTarget& target) {
   bool isFound = false;
   const Skeleton before = document.skeleton(); // sections lie across it as it is
   editEach(document, target, NodeEditText::tr("Center %1"), [&](SkeletonEditor& editor, NodeId id) {
-    const auto near = document.scan()->near(before[id].position, sectionReach(document, id));
-    const auto place = sectionCenter(before, id, near);
-    if (!place) return;
+    const Eigen::Vector3d& place = before[id].position;
+    const double reach = sectionReach(document, id);
+    std::optional<Eigen::Vector3d> middle =
+        sectionCenter(before, id, document.scan()->near(place, reach));
+    if (!middle) // they show too little of a circle, or are of a blade, which is wider
+      if (const auto shift = shiftToPoints(before, id, document.scan()->near(place, 2 * reach),
+                                           document.scan()->spacing()))
+        middle = place + *shift;
+    if (!middle) return;
     isFound = true;
-    moveNode(editor, id, *place);
+    moveNode(editor, id, *middle);
   });
   if (!isFound)
     throw Error((target.nodes.size() == 1
-                     ? NodeEditText::tr("the points around %1 show no circle: move it by hand")
-                     : NodeEditText::tr("the points around %1 show no circles: move them by hand"))
+                     ? NodeEditText::tr("the points around %1 show no middle: move it by hand")
+                     : NodeEditText::tr("the points around %1 show no middle: move them by hand"))
                     .arg(nodeNames(target.nodes))
                     .toStdString());
 }
@@ -290,8 +297,9 @@ std::vector<NodeEdit> nodeEdits() {
       {"stick_subtree", NodeEditText::tr("Stick Subtree to Points"),
        NodeEditText::tr("The same for all that the node carries"), "", Qt::Key_G, stickBranch},
       {"center", NodeEditText::tr("Move to Section Center"),
-       NodeEditText::tr("Moves the node to the middle of the circle of points around it"), "",
-       QKeySequence(Qt::SHIFT | Qt::Key_T), center},
+       NodeEditText::tr(
+           "Moves the node to the middle of the points around it, of a circle where they show one"),
+       "", QKeySequence(Qt::SHIFT | Qt::Key_T), center},
       {"radius_up", NodeEditText::tr("Increase Radius"), NodeEditText::tr("5 % more"), "",
        Qt::Key_A, scaleBy(QT_TRANSLATE_NOOP("NodeEdits", "Increase the radius of %1"), 1.05)},
       {"radius_down", NodeEditText::tr("Decrease Radius"), NodeEditText::tr("5 % less"), "",

@@ -196,10 +196,29 @@ TEST_F(StructureEditsTest, CenterANodeInTheRingOfPointsAroundIt) {
   plant.setPosition(NodeId{1}, {1, 0, 1});
   open(plant);
   EXPECT_THAT([&] { apply("center", {NodeId{1}}); },
-              ThrowsMessage<Error>(HasSubstr("show no circle")));
+              ThrowsMessage<Error>(HasSubstr("show no middle")));
   document.setScan(nullptr, {});
   EXPECT_THAT([&] { apply("center", {NodeId{1}}); },
               ThrowsMessage<Error>(HasSubstr("open the scan first")));
+}
+
+TEST_F(StructureEditsTest, CenterANodeInABladeThatShowsNoCircle) {
+  RawPoints raw;
+  for (double z = -0.1; z <= 2.1; z += 0.01)
+    for (double x = -0.08; x <= 0.08; x += 0.01)
+      raw.positions.emplace_back(x, 0, z);
+  document.setScan(std::make_unique<Scan>(PointCloud(raw)), "scan.ply");
+  Skeleton plant = test::stick(5, 0.5);
+  for (const NodeId id : plant.ids())
+    plant.setRadius(id, 0.03);
+  plant.setPosition(NodeId{2}, {0.06, 0.02, 1});
+  open(plant);
+  apply("center", {NodeId{2}});
+  EXPECT_LT(std::abs(node(2).position.x()), 0.02);
+  EXPECT_LE(std::abs(node(2).position.y()), 0.03);
+  EXPECT_NEAR(node(2).position.z(), 1, 0.02);
+  document.undoStack().undo();
+  EXPECT_EQ(document.skeleton(), plant);
 }
 
 } // namespace

@@ -60,9 +60,8 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   setObjectName("main_window");
   setWindowIcon(programIcon());
   setAcceptDrops(true);
-  // Knobs and findings stay in reach while what they do is judged below the view.
+  // Knobs stay in reach while what they do is judged below the view.
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   constexpr QSize frame(16, 48); // what the desktop puts around a window, about
   const QSize room = screen()->availableSize() - frame; // little, where it is scaled up
   setMinimumSize(QSize(960, 600).boundedTo(room));

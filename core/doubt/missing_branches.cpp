@@ -2,6 +2,8 @@
 
 #include "core/decide/end_odds.h"
 #include "core/pipeline/grow_part.h"
+#include "core/skeleton/axes.h"
+#include "core/skeleton/best_successor.h"
 #include "core/skeleton/checks_of_scan.h"
 #include "core/skeleton/path_edits.h"
 #include "core/skeleton/select.h"
@@ -88,6 +90,7 @@ void keepProbableEnds(EndsOfSkeleton& ends, const BranchesByNode& branchOf, std:
 }
 
 /// What of a branch a plant still has: from its first nodes on, below them the root that it had.
+/// Where the end is gone that an axis went on with, it goes on with another.
 Skeleton partIn(const Skeleton& plant, const std::vector<NodeId>& first, const Skeleton& before) {
   Skeleton part;
   const NodeId root = part.add(before[before.roots().front()]);
@@ -99,6 +102,11 @@ Skeleton partIn(const Skeleton& plant, const std::vector<NodeId>& first, const S
     Node copy = plant[id];
     copy.parent = copies[indexOf(*copy.parent)].value_or(root);
     copies[indexOf(id)] = part.add(copy);
+  }
+  for (const NodeId id : part.ids()) {
+    const std::vector<NodeId> children = part.children(id);
+    if (id == root || children.empty() || nextOnAxis(part, id)) continue;
+    part.setEdge(bestSuccessor(part, children), EdgeType::successor);
   }
   return part;
 }

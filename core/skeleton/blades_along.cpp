@@ -64,6 +64,18 @@ piecesAlong(const Skeleton& skeleton, const std::vector<PointOffWood>& points, d
 
 } // namespace
 
+std::vector<PointOffWood> pointsOffWood(const std::vector<Eigen::Index>& points,
+                                        const PointDistances& distances, double reach) {
+  std::vector<PointOffWood> result;
+  result.reserve(points.size());
+  for (const Eigen::Index point : points) {
+    const auto i = static_cast<std::size_t>(point);
+    result.push_back({distances.cloud()->position(point), distances.nearest()[i],
+                      distances.toSurface()[i] - reach});
+  }
+  return result;
+}
+
 bool isBladeAlong(const Skeleton& skeleton, const std::vector<PointOffWood>& points,
                   double spacing) {
   const double width = std::ranges::max_element(points, {}, &PointOffWood::off)->off;

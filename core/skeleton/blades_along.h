@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/skeleton/point_distances.h"
 #include "core/skeleton/skeleton.h"
 
 #include <Eigen/Core>
@@ -14,6 +15,12 @@ struct PointOffWood {
   NodeId edge;           // that is nearest
   double off;            // [L], from where points are off the wood
 };
+
+/// @param points columns of the cloud of `distances`
+/// @param reach  within which of the surface they are not off the wood [L]
+[[nodiscard]] std::vector<PointOffWood> pointsOffWood(const std::vector<Eigen::Index>& points,
+                                                      const PointDistances& distances,
+                                                      double reach);
 
 /// Whether connected points that are off all wood are a blade along an axis, or half of one, rather
 /// than a branch: in one layer with the axis, with no gap to it along most of them, and at least

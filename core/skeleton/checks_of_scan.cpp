@@ -97,19 +97,6 @@ bool explains(const Finding& other, const Finding& cluster, const PointDistances
   return 2 * count > static_cast<std::ptrdiff_t>(cluster.points.size());
 }
 
-/// @param reach within which of the surface points are not off the wood [L]
-std::vector<PointOffWood> offWood(const std::vector<Eigen::Index>& points,
-                                  const PointDistances& distances, double reach) {
-  std::vector<PointOffWood> result;
-  result.reserve(points.size());
-  for (const Eigen::Index point : points) {
-    const auto i = static_cast<std::size_t>(point);
-    result.push_back({distances.cloud()->position(point), distances.nearest()[i],
-                      distances.toSurface()[i] - reach});
-  }
-  return result;
-}
-
 /// Leaves out those at a node that another finding is at.
 void eraseReported(std::vector<Finding>& findings, const std::vector<Finding>& others) {
   std::set<NodeId> reported;
@@ -133,7 +120,7 @@ std::vector<Finding> checkPointsOffWood(const Skeleton& skeleton, const PointDis
   const double reach = options.pointReach * unit;
   std::erase_if(clusters, [&](const Finding& cluster) {
     progress.check();
-    return isBladeAlong(skeleton, offWood(cluster.points, distances, reach), spacing) ||
+    return isBladeAlong(skeleton, pointsOffWood(cluster.points, distances, reach), spacing) ||
            std::ranges::any_of(
                all, [&](const Finding& other) { return explains(other, cluster, distances); });
   });

@@ -3226,8 +3226,8 @@
         <translation>les doutes viennent des points&#xa0;: ouvrez d’abord un scan</translation>
     </message>
     <message>
-        <source>Nothing is in doubt any more</source>
-        <translation>Il n’y a plus aucun doute</translation>
+        <source>Nothing is in doubt</source>
+        <translation>Rien n’est en doute</translation>
     </message>
     <message>
         <source>Looking for doubts…</source>
@@ -3270,8 +3270,8 @@
         <translation>{answer_none} aucune   {skip_doubt} passer   {take_back_answer} reprendre   {leave} terminer</translation>
     </message>
     <message>
-        <source>Nothing that is listed is in doubt any more</source>
-        <translation>Plus rien de ce qui est listé n’est en doute</translation>
+        <source>Nothing that is listed is in doubt</source>
+        <translation>Rien de ce qui est listé n’est en doute</translation>
     </message>
     <message>
         <source>1 change is shown. To make it, choose Decide the Rest by Odds again; Esc drops it</source>

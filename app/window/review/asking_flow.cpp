@@ -248,8 +248,8 @@ void AskingFlow::goOn() {
   if (!parts_.doubts.failure().isEmpty())
     emit failed(failureText());
   else
-    emit noted(parts_.doubts.doubts().empty() ? tr("Nothing is in doubt any more")
-                                              : tr("Nothing that is listed is in doubt any more"));
+    emit noted(parts_.doubts.doubts().empty() ? tr("Nothing is in doubt")
+                                              : tr("Nothing that is listed is in doubt"));
 }
 
 void AskingFlow::goTo(const Doubt& doubt) {

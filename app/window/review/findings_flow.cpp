@@ -125,13 +125,13 @@ void FindingsFlow::connectParts() {
 
 void FindingsFlow::keepStillSo(std::vector<Finding>& now, std::vector<Report>& reports, StepId step,
                                const std::function<std::vector<Finding>()>& weaker,
-                               const PointDistances* distances, double reach) {
+                               const PointsNow* points) {
   std::vector<Finding> gone;
   for (const Report& before : reports)
     if (std::ranges::none_of(now, [&](const Finding& one) { return isSame(one, before.finding); }))
       gone.push_back(before.finding);
   if (!gone.empty())
-    std::ranges::move(stillSo(gone, now, weaker(), distances, reach), std::back_inserter(now));
+    std::ranges::move(stillSo(gone, now, weaker(), points), std::back_inserter(now));
   std::vector<Report> from;
   for (const Finding& finding : now) {
     const auto before = std::ranges::find_if(
@@ -206,8 +206,12 @@ void FindingsFlow::startJob() {
           return checkAgainstScan(skeleton, *distances, found.indexed->index, spacing,
                                   twiceAsSensitive(options), progress);
         };
-        keepStillSo(found.ofScan, found.reportsOfScan, step, weaker, distances.get(),
-                    options.pointReach * exactness(*distances, spacing, options));
+        const PointsNow points{.skeleton = skeleton,
+                               .distances = *distances,
+                               .spacing = spacing,
+                               .reach =
+                                   options.pointReach * exactness(*distances, spacing, options)};
+        keepStillSo(found.ofScan, found.reportsOfScan, step, weaker, &points);
         return found;
       },
       [this](Found found) { take(std::move(found)); });

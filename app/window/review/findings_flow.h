@@ -21,6 +21,7 @@ namespace espalier {
 
 class CheckForm;
 class PlantDocument;
+struct PointsNow;
 
 /// The checks of the plant, with their limits, their findings, and which of these are ignored.
 ///
@@ -95,7 +96,7 @@ private:
   /// @param weaker  what they find at twice the sensitivity, asked for where something is gone
   static void keepStillSo(std::vector<Finding>& now, std::vector<Report>& reports, StepId step,
                           const std::function<std::vector<Finding>()>& weaker,
-                          const PointDistances* distances = nullptr, double reach = 0);
+                          const PointsNow* points = nullptr);
   void forgetUndone(); // reports
 
   void later();

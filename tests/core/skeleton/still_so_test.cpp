@@ -29,8 +29,7 @@ std::vector<Finding> stillTurns(double degrees) {
   const std::vector<Finding> reported = check(turning(120));
   EXPECT_THAT(reported, SizeIs(1));
   const Skeleton now = turning(degrees);
-  return stillSo(reported, check(now), check(now, 0, atSensitivity({.sensitivity = 2})), nullptr,
-                 0);
+  return stillSo(reported, check(now), check(now, 0, atSensitivity({.sensitivity = 2})), nullptr);
 }
 
 TEST(StillSo, IsATurnThatWasHardlyLessened) {
@@ -67,8 +66,11 @@ std::vector<Finding> stillBare(int made) {
   EXPECT_THAT(reported, SizeIs(1));
   const Twig twig(made);
   const PointDistances distances(twig.cloud, spacing, twig.plant);
-  return stillSo(reported, unexplainedClusters(distances, spacing, limits), {}, &distances,
-                 limits.pointReach * exactness(distances, spacing, limits));
+  const PointsNow points{.skeleton = twig.plant,
+                         .distances = distances,
+                         .spacing = spacing,
+                         .reach = limits.pointReach * exactness(distances, spacing, limits)};
+  return stillSo(reported, unexplainedClusters(distances, spacing, limits), {}, &points);
 }
 
 TEST(StillSo, IsATwigUntilHalfOfItsPointsHaveWood) {
@@ -78,9 +80,43 @@ TEST(StillSo, IsATwigUntilHalfOfItsPointsHaveWood) {
   EXPECT_THAT(stillBare(6), IsEmpty());
 }
 
+/// Points in a sheet beside a stem, and where they were found: on an axis amid them, or at the
+/// stem.
+struct BladeBeside {
+  static constexpr double spacing = 0.01;
+  Skeleton plant = test::stick(2);
+  std::shared_ptr<const PointCloud> cloud;
+  BladeBeside() {
+    Eigen::Matrix3Xf sheet(3, 61 * 31);
+    for (int i = 0; i <= 60; ++i)
+      for (int k = 0; k <= 30; ++k)
+        sheet.col(31 * i + k) << 0.3F + 0.01F * static_cast<float>(i),
+            -0.15F + 0.01F * static_cast<float>(k), 0.5F;
+    cloud = test::cloudAtOrigin(sheet);
+  }
+  [[nodiscard]] std::vector<Finding> still(const std::vector<Finding>& reported) const {
+    const PointDistances distances(cloud, spacing, plant);
+    const PointsNow points{plant, distances, spacing, 3 * spacing};
+    return stillSo(reported, {}, {}, &points);
+  }
+};
+
+TEST(StillSo, IsNoBladeThatHasItsAxis) {
+  BladeBeside blade;
+  const std::vector<Finding> reported = unexplainedClusters(
+      PointDistances(blade.cloud, BladeBeside::spacing, blade.plant), BladeBeside::spacing, {});
+  ASSERT_THAT(reported, SizeIs(1));
+  EXPECT_THAT(blade.still(reported), SizeIs(1));
+  EXPECT_THAT(blade.still({reported[0], reported[0]}), SizeIs(1)) << "one row for the same points";
+  std::optional<NodeId> last = NodeId{0};
+  for (int i = 0; i <= 6; ++i)
+    last = blade.plant.add({.position = {0.3 + 0.1 * i, 0, 0.5}, .radius = 0.01, .parent = last});
+  EXPECT_THAT(blade.still(reported), IsEmpty());
+}
+
 TEST(StillSo, IsNothingOfPointsThatAreMeasuredAnew) {
   const Finding twig{.kind = Finding::Kind::unexplainedPoints, .node = NodeId{1}, .points = {1, 2}};
-  EXPECT_THAT(stillSo({twig}, {}, {}, nullptr, 1), IsEmpty());
+  EXPECT_THAT(stillSo({twig}, {}, {}, nullptr), IsEmpty());
 }
 
 } // namespace

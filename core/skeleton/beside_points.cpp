@@ -60,8 +60,8 @@ public:
   /// lie about the wood, or on one side of it.
   [[nodiscard]] std::optional<Eigen::Vector3d> middleOfBlade() const {
     constexpr double thickest = 0.15; // of its width, as standard deviations
-    constexpr double narrowest =
-        0.5; // radii, likewise: an arc of the wood that looks flat is narrower
+    // Radii, likewise: so little of the wood that it looks flat is narrower.
+    constexpr double narrowest = 0.5;
     const double count = static_cast<double>(points_.size());
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     double radius = 0;

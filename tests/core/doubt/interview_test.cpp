@@ -1,3 +1,4 @@
+#include "core/base/random.h"
 #include "core/doubt/interview.h"
 #include "core/doubt/missing_branches.h"
 #include "core/evaluate/study/perturbation.h"
@@ -7,6 +8,7 @@
 #include "core/skeleton/length_along.h"
 #include "core/skeleton/select.h"
 #include "tests/support/clouds.h"
+#include "tests/support/plants.h"
 #include "tests/support/simulated.h"
 
 #include <gtest/gtest.h>
@@ -179,6 +181,44 @@ TEST(MissingBranches, BeginWhereTheyWereFoundThoughTheyLeaveOneEdge) {
       length += edgeLength(one.branch.part, id);
     EXPECT_NEAR(one.evidence.length * scale.spacing, length, 0.02 * length);
   }
+}
+
+/// Branches along points of a sheet with twigs about it, beside a stem.
+std::vector<MissingBranch> branchesAlongSheet(std::uint64_t seed) {
+  const Skeleton stem = test::stick(3);
+  RawPoints raw;
+  Random random(seed);
+  const double width = random.uniform(0.05, 0.6);
+  for (int i = 0; i < 1500; ++i)
+    raw.positions.emplace_back(random.uniform(0.1, 1), random.uniform(-width, width) / 2,
+                               random.uniform(1, 1.02));
+  for (int twig = 0; twig < 4; ++twig) {
+    const Eigen::Vector3d foot(random.uniform(0.3, 1), random.uniform(-width, width) / 2, 1);
+    const Eigen::Vector3d tip = foot + random.uniform(0.05, 0.4) * random.direction();
+    for (int i = 0; i < 60; ++i)
+      raw.positions.emplace_back(foot + random.uniform() * (tip - foot) +
+                                 0.004 * random.direction());
+  }
+  const auto cloud = std::make_shared<const PointCloud>(std::move(raw));
+  const PlantScale scale = scaleOf(*cloud, {}, UpAxis::z);
+  const SpatialIndex index(cloud->positions());
+  const PointDistances distances(cloud, scale.spacing, stem);
+  return missingBranches(stem, {.distances = distances, .index = index, .scale = scale});
+}
+
+// Many ends along a sheet are taken away again, also such as the axis went on with.
+TEST(MissingBranches, GoOnWhereAnEndIsTakenAway) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed)
+    for (const MissingBranch& one : branchesAlongSheet(seed)) {
+      const Skeleton& part = one.branch.part;
+      for (const NodeId id : part.ids()) {
+        const auto parent = part[id].parent;
+        if (!parent || parent == part.roots().front() || part.children(*parent).size() > 1)
+          continue;
+        EXPECT_EQ(part[id].edge, EdgeType::successor)
+            << indexOf(id) << " of " << part.size() << ", seed " << seed;
+      }
+    }
 }
 
 TEST(FindDoubts, StopsWhenAsked) {

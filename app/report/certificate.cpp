@@ -120,6 +120,7 @@ std::vector<SealedComment> commentsOf(const Skeleton& skeleton) {
     comment.reviewer = QString::fromStdString(mark.reviewer);
   }
   std::vector<SealedComment> comments;
+  comments.reserve(found.size());
   for (const auto& [text, comment] : found)
     comments.push_back(comment);
   std::ranges::stable_sort(comments, std::greater<>(), &SealedComment::nodes);

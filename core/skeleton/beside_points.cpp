@@ -62,7 +62,7 @@ public:
     constexpr double thickest = 0.15; // of its width, as standard deviations
     // Radii, likewise: so little of the wood that it looks flat is narrower.
     constexpr double narrowest = 0.5;
-    const double count = static_cast<double>(points_.size());
+    const auto count = static_cast<double>(points_.size());
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     double radius = 0;
     for (const Aside& point : points_) {
@@ -271,7 +271,7 @@ std::optional<Eigen::Vector3d> shiftToPoints(const Skeleton& skeleton, NodeId id
       std::max(limits.besideUnits * spacing, limits.besideRadii * skeleton[id].radius);
   const std::optional<Fit> fit = fitAround(skeleton, id, spacing, width, eachPoint);
   if (!fit) return std::nullopt;
-  if (const auto middle = fit->middleOfBlade()) return middle;
+  if (std::optional<Eigen::Vector3d> middle = fit->middleOfBlade()) return middle;
   const Eigen::Vector3d shift = fit->shift();
   const bool isNearer = fit->distance(shift) < fit->distance(Eigen::Vector3d::Zero());
   return isNearer ? std::optional(shift) : std::nullopt;

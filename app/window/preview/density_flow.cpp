@@ -1,5 +1,6 @@
 #include "app/window/preview/density_flow.h"
 
+#include "core/base/error.h"
 #include "core/pipeline/used_densities.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/pipeline_panel.h"
@@ -8,6 +9,19 @@
 #include <vector>
 
 namespace espalier {
+namespace {
+
+/// Whether the chosen contraction follows densities; not where a value is out of range, which its
+/// form says.
+bool followsDensities(const PipelineOptions& options, const PlantScale& scale) {
+  try {
+    return chosenFor(contractionStep(), options, scale).probe().density.has_value();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+} // namespace
 
 DensityFlow::DensityFlow(PlantDocument& document, JobQueue& queue, PipelinePanel& pipeline)
     : document_(document), pipeline_(pipeline), job_(queue, JobPriority::asked) {
@@ -24,9 +38,7 @@ void DensityFlow::refresh() {
   options.leftOut = document_.leftOut();
   const Step& step = contractionStep();
   const PlantScale scale = document_.scale();
-  const bool isFollowed =
-      scan != nullptr && chosenFor(step, options, scale).probe().density.has_value();
-  if (!isFollowed) {
+  if (scan == nullptr || !followsDensities(options, scale)) {
     job_.cancel();
     return pipeline_.setDensities(step.name, {});
   }

@@ -29,6 +29,14 @@ TEST(OptionsText, NamesNoValuesWhereNoScanIsOpen) {
       << "there, each value is out of range";
 }
 
+TEST(OptionsText, NamesValuesThatAreOutOfRangeInThisScale) {
+  EXPECT_EQ(changeText({}, with({"contract.radius=100000"}), scale, {}),
+            QString("Contract: radius 100") + QChar(0x202f) + "000");
+  EXPECT_EQ(
+      changeText(with({"contract.radius=100000"}), with({"contract.radius=100000"}), scale, {}),
+      "");
+}
+
 TEST(OptionsText, NamesTheMethodAndEachStep) {
   EXPECT_EQ(
       changeText({}, with({"contract.method=euclidean_ball", "contract.radius=8"}), scale, {}),

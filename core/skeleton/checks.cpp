@@ -102,11 +102,13 @@ std::vector<Finding> duplicatedEdges(const Skeleton& skeleton, const std::vector
     const auto known = std::ranges::find_if(lainOn, isSame);
     std::size_t first = known != lainOn.end() ? *known : i; // that it lies on
     // Those that lie nearest come first: where a million leave one node, too many lie near.
-    for (double reach = share * lengths[i] / 64; first == i && reach <= share * lengths[i];
-         reach *= 4)
+    const double most = share * lengths[i];
+    for (double reach = most / 64; first == i; reach *= 4) {
       tree.within(middles[i], reach, [&](std::size_t k) {
         if (k < first && isSame(k)) first = k;
       });
+      if (!(reach > 0 && 4 * reach <= most)) break; // also of a share of 0
+    }
     if (first == i) continue;
     findings.push_back({.kind = Kind::duplicatedEdge, .node = edges[i], .others = {edges[first]}});
     if (known == lainOn.end()) lainOn.push_front(first);

@@ -108,6 +108,7 @@ TEST(Check, FindsTheSecondOfTwoEdgesInOnePlace) {
   ASSERT_THAT(found, ElementsAre(IsAt(Kind::duplicatedEdge, NodeId{4})));
   EXPECT_THAT(found[0].others, ElementsAre(NodeId{2}));
   EXPECT_THAT(ofKind(Kind::duplicatedEdge, plant, 0, {.duplicateShare = 0.01}), IsEmpty());
+  EXPECT_THAT(ofKind(Kind::duplicatedEdge, plant, 0, {.duplicateShare = 0}), IsEmpty());
 }
 
 // As no plant has, but a file may: it took minutes, and grew by the square of the branches.

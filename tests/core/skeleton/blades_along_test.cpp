@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <vector>
 
 namespace espalier {
@@ -42,14 +43,10 @@ Eigen::Vector3d besideStem(double z, double off) {
 
 /// Of all points, as one cluster.
 bool isBlade(const std::shared_ptr<const PointCloud>& cloud, const Skeleton& plant) {
+  std::vector<Eigen::Index> all(static_cast<std::size_t>(cloud->size()));
+  std::iota(all.begin(), all.end(), Eigen::Index{0});
   const PointDistances distances(cloud, spacing, plant);
-  std::vector<PointOffWood> points;
-  for (Eigen::Index point = 0; point < cloud->size(); ++point) {
-    const auto i = static_cast<std::size_t>(point);
-    points.push_back(
-        {cloud->position(point), distances.nearest()[i], distances.toSurface()[i] - 3 * spacing});
-  }
-  return isBladeAlong(plant, points, spacing);
+  return isBladeAlong(plant, pointsOffWood(all, distances, 3 * spacing), spacing);
 }
 
 TEST(BladesAlong, AreWideFlatAndTouchTheAxis) {

@@ -46,12 +46,10 @@ public:
       : skeleton_(skeleton), cloud_(cloud), points_(std::move(points)), options_(options),
         whole_(whole), gap_(options.widestGap > 0 ? options.widestGap : 6 * whole_.spacing),
         edge_(meanEdgeLength(skeleton) > 0 ? meanEdgeLength(skeleton) : 9 * whole_.spacing),
-        tolerance_(toleranceOf(options, whole)), isChosen_(bark.empty()), bark_(std::move(bark)),
-        positions_(cloud.positions()(Eigen::all, points_)) {}
+        tolerance_(toleranceOf(options, whole)), isChosen_(bark.empty()), bark_(std::move(bark)) {}
 
   std::vector<GrownBranch> grow(const Progress& progress) {
-    findParts(progress.part(0, 0.2));
-    measure(progress.part(0.2, 0.3));
+    findParts(progress.part(0, 0.3));
     double all = 0;
     for (const Part& part : parts_)
       all += static_cast<double>(part.points.size());
@@ -75,7 +73,17 @@ public:
   }
 
 private:
+  /// Each without blades along the plant, of which it may consist in part.
   void findParts(const Progress& progress) {
+    connect(progress.part(0, 0.6));
+    while (measure(progress.part(0.6, 0.8)))
+      connect(progress.part(0.8, 1));
+  }
+
+  void connect(const Progress& progress) {
+    parts_.clear();
+    positions_ = cloud_.positions()(Eigen::all, points_);
+    if (points_.empty()) return;
     const NeighborhoodGraph near(positions_, partLinks, progress.part(0, 0.6));
     const NeighborhoodGraph graph =
         joined(near, positions_, static_cast<float>(gap_), progress.part(0.6, 1));
@@ -98,8 +106,10 @@ private:
   }
 
   /// Finds the foot of each part, and leaves out those that are the bark of the plant, as too few
-  /// of their points stand off it for a branch, or blades along it.
-  void measure(const Progress& progress) {
+  /// of their points stand off it for a branch, and points that are blades along it.
+  /// @return whether parts are to be found again, of the points that are left
+  bool measure(const Progress& progress) {
+    if (parts_.empty()) return false;
     const std::vector<PointOnSkeleton> places =
         assignPoints(positions_, cloud_.origin(), skeleton_, progress);
     const auto toWood = [&](Eigen::Index point) {
@@ -108,7 +118,7 @@ private:
     };
     for (Part& part : parts_)
       part.foot = *std::ranges::min_element(part.points, {}, toWood);
-    if (isChosen_) return;
+    if (isChosen_) return false;
     const auto isOffTheBark = [&](Eigen::Index point) {
       const PointOnSkeleton& place = places[static_cast<std::size_t>(point)];
       return place.distance > bark_[indexOf(place.child)] && toWood(point) > 2 * tolerance_;
@@ -120,11 +130,21 @@ private:
     };
     std::erase_if(parts_, [&](const Part& part) {
       const std::size_t least = std::min(fewestPoints, (part.points.size() + 1) / 2);
-      if (std::ranges::count_if(part.points, isOffTheBark) < std::ptrdiff_t(least)) return true;
+      return std::ranges::count_if(part.points, isOffTheBark) < std::ptrdiff_t(least);
+    });
+    std::vector<Eigen::Index> left;
+    std::size_t all = 0;
+    for (const Part& part : parts_) {
       std::vector<PointOffWood> points;
       std::ranges::transform(part.points, std::back_inserter(points), offWood);
-      return isBladeAlong(skeleton_, points, whole_.spacing);
-    });
+      for (const std::size_t i : pointsOffBlades(skeleton_, points, whole_.spacing))
+        left.push_back(points_[static_cast<std::size_t>(part.points[i])]);
+      all += points.size();
+    }
+    if (left.size() == all) return false;
+    std::ranges::sort(left);
+    points_ = std::move(left);
+    return true;
   }
 
   /// What grew without the ends that lie in the wood of the plant, and so add nothing to it.

@@ -39,8 +39,8 @@ struct GrowOptions {
 
 /// The same for all points that no edge explains, but for those set aside. Parts of which less than
 /// half and fewer than 20 points stand off the bark, as it is measured (wood_skin.h), grow nothing,
-/// nor do blades along axes (blades_along.h), and no lines are made of few points, fewer than 20
-/// being dust: whoever chose none does not want each cluster of them.
+/// nor do points of blades along axes (blades_along.h), and no lines are made of few points, fewer
+/// than 20 being dust: whoever chose none does not want each cluster of them.
 /// @throws Error also if the plant explains them all
 [[nodiscard]] std::vector<GrownBranch>
 grownFromUnexplained(const Skeleton& skeleton, const std::shared_ptr<const PointCloud>& cloud,

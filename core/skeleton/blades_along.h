@@ -16,21 +16,24 @@ struct PointOffWood {
   double off;            // [L], from where points are off the wood
 };
 
-/// @param points columns of the cloud of `distances`
-/// @param reach  within which of the surface they are not off the wood [L]
-[[nodiscard]] std::vector<PointOffWood> pointsOffWood(const std::vector<Eigen::Index>& points,
-                                                      const PointDistances& distances,
-                                                      double reach);
-
-/// Whether connected points that are off all wood are a blade along an axis, or half of one, rather
-/// than a branch: in one layer with the axis, with no gap to it along most of them, and at least
-/// twice as far along it as off it. Chosen on plants 0 to 41 of scannedPlant() (tests/bench/
-/// finding_table.cpp, --found): of herbs with large blades, a fifth as many bare twigs are left,
-/// and all that are wood; of bare plants, all.
-/// @param points  not empty
+/// Of connected points that are off all wood, those that are no blade along an axis, nor half of
+/// one. A blade is in one layer with the axis, has no gap to it along most of them, and reaches at
+/// least twice as far along it as off it; what of the points is over twice as far off it as it is
+/// wide is no blade, as another leaf that hangs on its margin. Chosen on plants 0 to 41 of
+/// scannedPlant() (tests/bench/finding_table.cpp, --found): of herbs with large blades, a fifth as
+/// many bare twigs are left, and all that are wood; of bare plants, all.
 /// @param spacing between neighboring points [L], > 0
+/// @return their places in `points`, ascending: all, where there is no blade
 /// Deterministic. Time O(n log n) for n points.
-[[nodiscard]] bool isBladeAlong(const Skeleton& skeleton, const std::vector<PointOffWood>& points,
-                                double spacing);
+[[nodiscard]] std::vector<std::size_t>
+pointsOffBlades(const Skeleton& skeleton, const std::vector<PointOffWood>& points, double spacing);
+
+/// The same of columns of the cloud of `distances`, which are of `skeleton`.
+/// @param reach within which of the surface points are not off the wood [L]
+/// @return columns, in their order
+[[nodiscard]] std::vector<Eigen::Index> pointsOffBlades(const Skeleton& skeleton,
+                                                        const std::vector<Eigen::Index>& points,
+                                                        const PointDistances& distances,
+                                                        double reach, double spacing);
 
 } // namespace espalier

@@ -65,6 +65,28 @@ Finding clusterFinding(const std::vector<Eigen::Index>& points, const PointDista
   return finding;
 }
 
+/// The connected parts of points that are off all wood, where they stand out.
+std::vector<Finding> clusterFindings(const std::vector<Eigen::Index>& far,
+                                     const PointDistances& distances, double reach, double spacing,
+                                     const CheckOptions& options, const Progress& progress) {
+  const Eigen::Matrix3Xf positions = distances.cloud()->positions()(Eigen::all, far);
+  std::vector<Finding> findings;
+  const auto gap = static_cast<float>(options.clusterGap * spacing);
+  for (std::vector<Eigen::Index>& cluster : clusters(positions, gap, progress)) {
+    if (cluster.size() < static_cast<std::size_t>(std::max(options.clusterSize, 1))) continue;
+    double farthest = 0;
+    for (Eigen::Index& point : cluster) {
+      point = far[static_cast<std::size_t>(point)];
+      farthest = std::max<double>(farthest, distances.toSurface()[static_cast<std::size_t>(point)]);
+    }
+    if (farthest < options.clusterRise * reach &&
+        static_cast<int>(cluster.size()) < options.largeCluster)
+      continue;
+    findings.push_back(clusterFinding(cluster, distances));
+  }
+  return findings;
+}
+
 /// Whether points are within `reach` [L] of the surface of a frustum along half of it at least,
 /// looked for in steps. pre: step > 0
 bool hasPoints(const Frustum& body, const PointCloud& cloud, const SpatialIndex& index,
@@ -107,6 +129,27 @@ void eraseReported(std::vector<Finding>& findings, const std::vector<Finding>& o
   });
 }
 
+/// What is left of clusters without the blades along axes.
+std::vector<Finding> clustersOffBlades(const std::vector<Finding>& clusters,
+                                       const Skeleton& skeleton, const PointDistances& distances,
+                                       double reach, double spacing, const CheckOptions& options,
+                                       const Progress& progress) {
+  std::vector<Finding> left;
+  for (const Finding& cluster : clusters) {
+    progress.check();
+    const std::vector<Eigen::Index> rest =
+        pointsOffBlades(skeleton, cluster.points, distances, reach, spacing);
+    if (rest.size() == cluster.points.size())
+      left.push_back(cluster);
+    else // in parts, each of which may be another blade
+      append(left,
+             clustersOffBlades(clusterFindings(rest, distances, reach, spacing, options, progress),
+                               skeleton, distances, reach, spacing, options, progress));
+  }
+  std::ranges::stable_sort(left, std::greater<>(), &Finding::amount);
+  return left;
+}
+
 /// What points show that are off all wood: wood that lies beside its points, short feet, and
 /// clusters of points that neither explains.
 std::vector<Finding> checkPointsOffWood(const Skeleton& skeleton, const PointDistances& distances,
@@ -117,14 +160,12 @@ std::vector<Finding> checkPointsOffWood(const Skeleton& skeleton, const PointDis
       axesBesidePoints(skeleton, distances, spacing, unit, options, progress);
   append(all, shortFeet(skeleton, distances, spacing, options, progress));
   std::vector<Finding> clusters = unexplainedClusters(distances, spacing, options, progress);
-  const double reach = options.pointReach * unit;
   std::erase_if(clusters, [&](const Finding& cluster) {
-    progress.check();
-    return isBladeAlong(skeleton, pointsOffWood(cluster.points, distances, reach), spacing) ||
-           std::ranges::any_of(
-               all, [&](const Finding& other) { return explains(other, cluster, distances); });
+    return std::ranges::any_of(
+        all, [&](const Finding& other) { return explains(other, cluster, distances); });
   });
-  append(all, std::move(clusters));
+  append(all, clustersOffBlades(clusters, skeleton, distances, options.pointReach * unit, spacing,
+                                options, progress));
   return all;
 }
 
@@ -177,21 +218,8 @@ std::vector<Finding> unexplainedClusters(const PointDistances& distances, double
     if (!std::isfinite(distance) || !(distance > reach)) continue;
     if (far.empty() || all.col(far.back()) != all.col(point)) far.push_back(point);
   }
-  const Eigen::Matrix3Xf positions = all(Eigen::all, far);
-  std::vector<Finding> findings;
-  const auto gap = static_cast<float>(options.clusterGap * spacing);
-  for (std::vector<Eigen::Index>& cluster : clusters(positions, gap, progress)) {
-    if (cluster.size() < static_cast<std::size_t>(std::max(options.clusterSize, 1))) continue;
-    double farthest = 0;
-    for (Eigen::Index& point : cluster) {
-      point = far[static_cast<std::size_t>(point)];
-      farthest = std::max<double>(farthest, distances.toSurface()[static_cast<std::size_t>(point)]);
-    }
-    if (farthest < options.clusterRise * reach &&
-        static_cast<int>(cluster.size()) < options.largeCluster)
-      continue;
-    findings.push_back(clusterFinding(cluster, distances));
-  }
+  std::vector<Finding> findings =
+      clusterFindings(far, distances, reach, spacing, options, progress);
   std::ranges::stable_sort(findings, std::greater<>(), &Finding::amount);
   return findings;
 }

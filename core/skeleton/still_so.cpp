@@ -18,6 +18,8 @@ std::optional<Finding> restOf(const Finding& twig, const std::vector<Finding>& n
   Finding rest = twig;
   std::erase_if(rest.points,
                 [&](Eigen::Index point) { return !(toSurface(point) > points.reach); });
+  rest.points =
+      pointsOffBlades(points.skeleton, rest.points, distances, points.reach, points.spacing);
   if (2 * rest.points.size() < twig.points.size()) return std::nullopt;
   const auto names = [](const Finding& finding, Eigen::Index point) {
     return std::ranges::binary_search(finding.points, point);
@@ -25,9 +27,6 @@ std::optional<Finding> restOf(const Finding& twig, const std::vector<Finding>& n
   for (const Finding& other : now)
     if (std::ranges::any_of(rest.points, [&](Eigen::Index point) { return names(other, point); }))
       return std::nullopt;
-  if (isBladeAlong(points.skeleton, pointsOffWood(rest.points, distances, points.reach),
-                   points.spacing))
-    return std::nullopt;
   const Eigen::Index nearest = *std::ranges::min_element(rest.points, {}, toSurface);
   rest.node = distances.nearest()[static_cast<std::size_t>(nearest)];
   rest.amount = static_cast<double>(rest.points.size());

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -41,12 +42,17 @@ Eigen::Vector3d besideStem(double z, double off) {
   return {off, 0, z};
 }
 
-/// Of all points, as one cluster.
-bool isBlade(const std::shared_ptr<const PointCloud>& cloud, const Skeleton& plant) {
+/// Those of all points that are no blade.
+std::vector<Eigen::Index> offBlades(const std::shared_ptr<const PointCloud>& cloud,
+                                    const Skeleton& plant) {
   std::vector<Eigen::Index> all(static_cast<std::size_t>(cloud->size()));
   std::iota(all.begin(), all.end(), Eigen::Index{0});
   const PointDistances distances(cloud, spacing, plant);
-  return isBladeAlong(plant, pointsOffWood(all, distances, 3 * spacing), spacing);
+  return pointsOffBlades(plant, all, distances, 3 * spacing, spacing);
+}
+
+bool isBlade(const std::shared_ptr<const PointCloud>& cloud, const Skeleton& plant) {
+  return offBlades(cloud, plant).empty();
 }
 
 TEST(BladesAlong, AreWideFlatAndTouchTheAxis) {
@@ -68,6 +74,42 @@ TEST(BladesAlong, AreBothHalvesAndMayBendAlongTheAxis) {
     return Eigen::Vector3d(off * std::cos(2 * z), off * std::sin(2 * z), z);
   });
   EXPECT_TRUE(isBlade(turning, bladeStem()));
+}
+
+/// Half of a blade along the stem, 0.15 wide, and a leaf 0.06 wide that grows aside from its
+/// margin.
+Eigen::Vector3d bladeWithLeaf(double z, double off) {
+  if (off <= 0.15) return {off, 0, z};
+  return {0.15 + 0.5 * (off - 0.15), 0.87 * (off - 0.15), z};
+}
+
+std::shared_ptr<const PointCloud> pointsOfBladeWithLeaf(double least) {
+  const auto blade = sheetOfPoints(0.1, 0.9, least, 0.15, bladeWithLeaf);
+  const auto leaf = sheetOfPoints(0.47, 0.53, 0.16, 0.8, bladeWithLeaf);
+  Eigen::Matrix3Xf all(3, blade->size() + leaf->size());
+  all << blade->positions(), leaf->positions();
+  return test::cloudAtOrigin(all);
+}
+
+TEST(BladesAlong, ALeafOnTheirMarginIsNone) {
+  const auto cloud = pointsOfBladeWithLeaf(0.045);
+  const std::vector<Eigen::Index> left = offBlades(cloud, bladeStem());
+  const Eigen::Index leaf = 7 * 65; // its points
+  EXPECT_GE(static_cast<Eigen::Index>(left.size()), leaf * 3 / 4);
+  const auto ofBlade = std::ranges::count_if(
+      left, [&](Eigen::Index point) { return cloud->position(point).x() < 0.15; });
+  EXPECT_LE(ofBlade, 5) << "at most, of 891";
+}
+
+TEST(BladesAlong, ALeafOnTheirMarginIsAFindingOfItsOwn) {
+  const Skeleton plant = bladeStem();
+  const auto cloud = pointsOfBladeWithLeaf(-0.15); // both halves, and what the stem explains
+  const PointDistances distances(cloud, spacing, plant);
+  constexpr double leaf = 7 * 65; // points
+  ASSERT_GT(unexplainedClusters(distances, spacing, {}).front().amount, 2 * leaf);
+  const std::vector<Finding> found = pointsWithoutWood(plant, distances, spacing, {});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_LE(found[0].amount, leaf);
 }
 
 TEST(BladesAlong, AStemBesideTheAxisIsNone) {

@@ -10,11 +10,20 @@ namespace {
 
 using Kind = Finding::Kind;
 
+/// How much of the length of a bare twig of so many points is wood that is missing: on the same
+/// plants.
+double chanceOfWood(double points, bool isCrowded) {
+  if (!isCrowded) return 0.86;  // of 593
+  if (points < 20) return 0.09; // of 3 942
+  if (points < 50) return 0.29; // of 1 036
+  return 0.35;                  // of 435
+}
+
 /// How much of the wood that findings of a kind are about, or that may be missing, is wrong: on 120
 /// simulated plants that were reconstructed by default (espalier_findings --found 3000 60, and 4000
 /// 60). A half where there were under 10 of a kind, as of what only edits by hand bring about.
-double chanceOfError(Kind kind) {
-  switch (kind) {
+double chanceOfError(const Finding& finding, bool isCrowded) {
+  switch (finding.kind) {
   case Kind::sharpTurn:
     return 0.44; // of 735
   case Kind::crossing:
@@ -28,7 +37,7 @@ double chanceOfError(Kind kind) {
   case Kind::besidePoints:
     return 0.73; // of 644
   case Kind::unexplainedPoints:
-    return 0.26; // of 6 010
+    return chanceOfWood(finding.amount, isCrowded);
   case Kind::separatePiece:
   case Kind::twoSuccessors:
   case Kind::loneBranch:
@@ -39,6 +48,16 @@ double chanceOfError(Kind kind) {
     break;
   }
   return 0.5;
+}
+
+/// Whether points without wood are mostly of leaves: of bare plants there are few such clusters for
+/// each end.
+bool isCrowded(const std::vector<Finding>& findings, const Skeleton& skeleton) {
+  constexpr double most = 0.25; // for each end
+  const auto twigs = std::ranges::count(findings, Kind::unexplainedPoints, &Finding::kind);
+  const auto ends = std::ranges::count_if(skeleton.ids(),
+                                          [&](NodeId id) { return skeleton.children(id).empty(); });
+  return static_cast<double>(twigs) > most * static_cast<double>(ends);
 }
 
 } // namespace
@@ -73,11 +92,13 @@ std::vector<NodeId> woodOf(const Finding& finding, const Skeleton& skeleton) {
 
 std::vector<FindingGain> gainsOf(const std::vector<Finding>& findings, const Skeleton& skeleton) {
   const PlantShare plant(skeleton);
+  const bool areCrowded = isCrowded(findings, skeleton);
   std::vector<FindingGain> gains;
   gains.reserve(findings.size());
   for (const Finding& finding : findings) {
     const std::vector<NodeId> wood = woodOf(finding, skeleton);
-    FindingGain one{.length = lengthOf(skeleton, wood), .wrong = chanceOfError(finding.kind)};
+    FindingGain one{.length = lengthOf(skeleton, wood),
+                    .wrong = chanceOfError(finding, areCrowded)};
     double ends = static_cast<double>(
         std::ranges::count_if(wood, [&](NodeId id) { return skeleton.children(id).empty(); }));
     if (finding.kind == Kind::shortFoot) one.length = finding.amount;

@@ -13,8 +13,10 @@ struct FindingGain {
   double gain = 0;   // as that of a doubt: a share of the plant in [0, 1]
 };
 
-/// Of each finding. By its kind alone it is known how probably it is an error: as was measured on
-/// simulated plants that were reconstructed (espalier_findings --found).
+/// Of each finding. How probably it is an error follows from its kind, as was measured on simulated
+/// plants that were reconstructed (espalier_findings --found); of a bare twig, from how many points
+/// it has, and from how many others there are, as leaves make many small ones.
+/// @param findings all of the plant
 /// pre: `skeleton` has the nodes of the findings. O(N + findings)
 [[nodiscard]] std::vector<FindingGain> gainsOf(const std::vector<Finding>& findings,
                                                const Skeleton& skeleton);

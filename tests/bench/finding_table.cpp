@@ -6,7 +6,7 @@
 //   espalier_findings --noisy FIRST COUNT [--list]       those of noisyPlant()
 //   espalier_findings --rough FIRST COUNT [--list]       as simulated, drawn as people draw
 //   espalier_findings --found FIRST COUNT                how much of what findings are about is
-//   wrong
+//                                                        wrong
 //
 // With --list, each false finding and each missed error is printed.
 //
@@ -18,7 +18,7 @@
 // --found reconstructs plants of scannedPlant(FIRST) and on by default, and prints for each kind of
 // finding how much of the wood that it is about is invented or wrongly attached, or of how far its
 // points reach is missed (core/evaluate/differences, within 4 spacings): the chances of an error in
-// core/doubt/finding_gain.cpp.
+// core/doubt/finding_gain.cpp. Bare twigs are counted apart by the chance that they are given.
 #include "core/base/random.h"
 #include "core/doubt/finding_gain.h"
 #include "core/evaluate/differences/differences.h"
@@ -37,6 +37,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -199,7 +200,15 @@ struct Chance {
   double wrong = 0;  // likewise
   int mostly = 0;    // of which over half is wrong
 };
-using Chances = std::array<Chance, findingKinds>;
+using Chances = std::map<std::string, Chance>; // by kind; bare twigs apart by what their chance is
+
+/// The kind of a finding; of a bare twig, by what its chance follows from.
+std::string rowOf(const Finding& finding, const FindingGain& gain) {
+  if (finding.kind != Finding::Kind::unexplainedPoints) return nameOf(finding.kind);
+  char row[64];
+  std::snprintf(row, sizeof row, "%s, %.2f", nameOf(finding.kind).c_str(), gain.wrong);
+  return row;
+}
 
 /// The length of what a skeleton lacks about some points, at most as far as they reach [L].
 double missedAt(const Finding& finding, const PointCloud& cloud, const Skeleton& truth,
@@ -243,7 +252,7 @@ void addChances(Chances& chances, const ScannedPlant& plant) {
       if (found.ofResult[indexOf(id)] != Difference::matched) wrong += edgeLength(skeleton, id);
     if (wood.empty()) wrong = missedAt(findings[i], *plant.cloud, plant.truth, found);
     wrong = std::min(wrong, gains[i].length);
-    Chance& chance = chances[static_cast<std::size_t>(findings[i].kind)];
+    Chance& chance = chances[rowOf(findings[i], gains[i])];
     ++chance.count;
     chance.length += gains[i].length / all;
     chance.wrong += wrong / all;
@@ -255,14 +264,11 @@ int runFound(std::uint64_t first, std::uint64_t count) {
   Chances chances;
   for (std::uint64_t number = first; number < first + count; ++number)
     addChances(chances, scannedPlant(number));
-  std::printf("%-22s %6s %8s %8s %8s\n", "kind of finding", "count", "of plant", "wrong", "mostly");
-  for (int kind = 0; kind < findingKinds; ++kind) {
-    const Chance& one = chances[static_cast<std::size_t>(kind)];
-    std::printf("%-22s %6d %8.4f %8.3f %8.3f\n", nameOf(static_cast<Finding::Kind>(kind)).c_str(),
-                one.count, one.length / static_cast<double>(count),
-                one.length > 0 ? one.wrong / one.length : 0,
-                one.count > 0 ? double(one.mostly) / one.count : 0);
-  }
+  std::printf("%-26s %6s %8s %8s %8s\n", "kind of finding", "count", "of plant", "wrong", "mostly");
+  for (const auto& [row, one] : chances)
+    std::printf("%-26s %6d %8.4f %8.3f %8.3f\n", row.c_str(), one.count,
+                one.length / static_cast<double>(count),
+                one.length > 0 ? one.wrong / one.length : 0, double(one.mostly) / one.count);
   return 0;
 }
 

@@ -71,5 +71,28 @@ TEST(FindingGain, IsOfTheWoodThatTheFindingIsAbout) {
   EXPECT_TRUE(wood(Finding::Kind::shortFoot, NodeId(0)).empty());
 }
 
+TEST(FindingGain, OfABareTwigFollowsFromItsPointsWhereLeavesMakeMany) {
+  const Skeleton plant = forkedStem();
+  const auto twig = [](double points) {
+    return Finding{.kind = Finding::Kind::unexplainedPoints,
+                   .node = NodeId(1),
+                   .amount = points,
+                   .reach = 0.1};
+  };
+  const auto of = [&](const std::vector<Finding>& findings) {
+    std::vector<double> wrong;
+    for (const FindingGain& gain : gainsOf(findings, plant))
+      wrong.push_back(gain.wrong);
+    return wrong;
+  };
+  const std::vector<double> many = of({twig(10), twig(30), twig(100)});
+  EXPECT_LT(many[0], many[1]);
+  EXPECT_LT(many[1], many[2]);
+  Skeleton bushy = plant;
+  for (int i = 0; i < 20; ++i)
+    bushy.add({.position = {0.1 * i, 1, 1}, .parent = NodeId(1), .edge = EdgeType::branching});
+  EXPECT_GT(gainsOf({twig(10)}, bushy).front().wrong, many[2]) << "a bare plant has few";
+}
+
 } // namespace
 } // namespace espalier

@@ -19,6 +19,10 @@ std::string plainLength(double length) {
   return text.str();
 }
 
+std::string plainCount(std::size_t count) {
+  return std::to_string(count);
+}
+
 } // namespace
 
 std::vector<NodeId> nodesOf(const Finding& finding) {
@@ -61,11 +65,12 @@ bool isSame(const Finding& a, const Finding& b) {
 }
 
 ShownMessage describe(const Finding& finding, const Skeleton& skeleton,
-                      const std::function<std::string(double)>& length) {
+                      const FindingNumbers& numbers) {
+  const auto& length = numbers.length;
   const std::string node = std::to_string(indexOf(finding.node));
   const std::string other =
       finding.others.empty() ? "" : std::to_string(indexOf(finding.others.front()));
-  const std::string count = std::to_string(std::llround(finding.amount));
+  const std::string count = numbers.count(static_cast<std::size_t>(finding.amount));
   const bool isOne = count == "1";
   switch (finding.kind) {
   case Kind::separatePiece:
@@ -105,8 +110,7 @@ ShownMessage describe(const Finding& finding, const Skeleton& skeleton,
     return {Shown::tr("the branch at node %1 has no points of its own along its first %2"),
             {node, length(finding.amount)}};
   case Kind::besidePoints:
-    return {Shown::tr("the wood at node %1 lies %2 beside its points"),
-            {node, length(finding.amount)}};
+    return {Shown::tr("node %1 lies %2 beside its points"), {node, length(finding.amount)}};
   case Kind::shortFoot:
     return {Shown::tr("the points of the stem go on by %2 below node %1"),
             {node, length(finding.amount)}};
@@ -121,7 +125,7 @@ ShownMessage describe(const Finding& finding, const Skeleton& skeleton,
 }
 
 std::string describe(const Finding& finding, const Skeleton& skeleton) {
-  return inEnglish(describe(finding, skeleton, plainLength));
+  return inEnglish(describe(finding, skeleton, {plainLength, plainCount}));
 }
 
 std::string nameOf(Kind kind) {

@@ -58,9 +58,15 @@ void place(Finding& finding, const PointCloud& cloud);
 /// at the same node or about the same points.
 [[nodiscard]] bool isSame(const Finding& a, const Finding& b);
 
-/// "node 12 has 2 successors: an axis continues once". Lengths are written by `length`.
+/// How the numbers of a finding are written.
+struct FindingNumbers {
+  std::function<std::string(double)> length;     // [L]
+  std::function<std::string(std::size_t)> count; // of nodes, of points
+};
+
+/// "node 12 has 2 successors: an axis continues once".
 [[nodiscard]] ShownMessage describe(const Finding& finding, const Skeleton& skeleton,
-                                    const std::function<std::string(double)>& length);
+                                    const FindingNumbers& numbers);
 [[nodiscard]] std::string describe(const Finding& finding, const Skeleton& skeleton);
 
 /// "two_successors", "no_length", "radius_above_parent" ...

@@ -2257,6 +2257,34 @@
         <source>findings of the checks that were open: %1 (why they were left is below)</source>
         <translation>constats des contrôles encore ouverts&#xa0;: %1 (la raison est donnée plus bas)</translation>
     </message>
+    <message>
+        <source>method</source>
+        <translation>méthode</translation>
+    </message>
+    <message>
+        <source>What is set other than by default</source>
+        <translation>Ce qui n’est pas réglé par défaut</translation>
+    </message>
+    <message>
+        <source>option</source>
+        <translation>paramètre</translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation>défaut</translation>
+    </message>
+    <message>
+        <source>How the plant was reconstructed</source>
+        <translation>Comment la plante a été reconstruite</translation>
+    </message>
+    <message>
+        <source>By the default methods, all options by their rules.</source>
+        <translation>Par les méthodes par défaut, tous les paramètres selon leurs règles.</translation>
+    </message>
+    <message>
+        <source>Points were set aside, or their organs set, by hand: the command knows nothing of that.</source>
+        <translation>Des points ont été mis à part, ou leurs organes fixés, à la main&#xa0;: la commande n’en sait rien.</translation>
+    </message>
 </context>
 <context>
     <name>ReportedPlant</name>
@@ -8414,10 +8442,6 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <translation>%1&#xa0;% révisé</translation>
     </message>
     <message>
-        <source>Axis</source>
-        <translation>Axe</translation>
-    </message>
-    <message>
         <source>, in part</source>
         <translation>, en partie</translation>
     </message>
@@ -12549,8 +12573,8 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>la branche au nœud&#xa0;%1 n’a pas de points propres sur ses premiers&#xa0;%2</translation>
     </message>
     <message>
-        <source>the wood at node %1 lies %2 beside its points</source>
-        <translation>le bois au nœud&#xa0;%1 est à&#xa0;%2 à côté de ses points</translation>
+        <source>node %1 lies %2 beside its points</source>
+        <translation>le nœud&#xa0;%1 est à&#xa0;%2 à côté de ses points</translation>
     </message>
     <message>
         <source>the points of the stem go on by %2 below node %1</source>
@@ -15068,6 +15092,14 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <source>holds 1 point, none of them finite: export it again</source>
         <translation>contient 1 point, qui n’est pas fini&#xa0;: exportez-le à nouveau</translation>
     </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>What does the step.</source>
+        <translation>Ce qui accomplit l’étape.</translation>
+    </message>
 </context>
 <context>
     <name>espalier::ShownFlow</name>
@@ -15711,9 +15743,9 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     </message>
     <message>
         <source>%1
-%2 of wood, wrong with a probability of %3 %</source>
+%2 of the skeleton, wrong with a probability of %3 %</source>
         <translation>%1
-%2 de bois, faux avec une probabilité de %3 %</translation>
+%2 du squelette, faux avec une probabilité de %3 %</translation>
     </message>
     <message>
         <source>Enter</source>

@@ -67,7 +67,7 @@ QString SuspectsFlow::placeText(const Finding& finding) const {
 
 SuspectText SuspectsFlow::textOf(const Suspect& suspect) const {
   const auto whole = [&](const QString& sentence) {
-    return tr("%1\n%2 of wood, wrong with a probability of %3 %")
+    return tr("%1\n%2 of the skeleton, wrong with a probability of %3 %")
         .arg(sentence, formatLength(suspect.length, parts_.document.unit(), 2))
         .arg(percentOf(suspect.wrong));
   };
@@ -94,7 +94,8 @@ QString SuspectsFlow::describedBy(const Finding& finding) const {
   const auto length = [this](double value) {
     return formatLength(value, parts_.document.unit(), 3).toStdString();
   };
-  QString whole = shownText(describe(finding, parts_.document.skeleton(), length));
+  const auto count = [](std::size_t number) { return formatCount(number).toStdString(); };
+  QString whole = shownText(describe(finding, parts_.document.skeleton(), {length, count}));
   whole[0] = whole[0].toUpper();
   return whole;
 }

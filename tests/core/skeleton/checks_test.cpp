@@ -70,7 +70,8 @@ TEST(Check, FindsWoodThickerThanWhatCarriesIt) {
   const std::vector<Finding> found = check(plant);
   ASSERT_THAT(found, ElementsAre(IsAt(Kind::radiusAboveParent, NodeId{2})));
   const auto length = [](double value) { return std::to_string(std::lround(value * 10)) + " dm"; };
-  EXPECT_EQ(inEnglish(describe(found[0], plant, length)),
+  const auto count = [](std::size_t number) { return std::to_string(number); };
+  EXPECT_EQ(inEnglish(describe(found[0], plant, {length, count})),
             "node 2 is thicker than its parent: radius 2 dm on 1 dm");
 }
 

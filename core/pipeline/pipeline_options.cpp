@@ -183,17 +183,28 @@ bool isSameIn(const Step& step, const PipelineOptions& a, const PipelineOptions&
   return &chosenMethod(step, a) == &chosenMethod(step, b) && settings(a) == settings(b);
 }
 
-std::vector<double> resolvedValues(const Step& step, const Method& method,
-                                   const PipelineOptions& options, const PlantScale& scale) {
+std::vector<double> valuesAsSet(const Step& step, const Method& method,
+                                const PipelineOptions& options, const PlantScale& scale) {
   const auto settings = options.settings.find(step.name);
   std::vector<double> values;
   for (const Option& option : method.options) {
-    double value = option.rule.value(scale);
+    Rule rule = option.rule;
     if (settings != options.settings.end())
       if (const auto set = settings->second.find(option.name); set != settings->second.end())
-        value = checkedValue(step, option, set->second.value(scale), scale);
-    values.push_back(value);
+        rule = set->second;
+    values.push_back(rule.value(scale));
   }
+  return values;
+}
+
+std::vector<double> resolvedValues(const Step& step, const Method& method,
+                                   const PipelineOptions& options, const PlantScale& scale) {
+  std::vector<double> values = valuesAsSet(step, method, options, scale);
+  const auto settings = options.settings.find(step.name);
+  if (settings == options.settings.end()) return values;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (settings->second.contains(method.options[i].name))
+      values[i] = checkedValue(step, method.options[i], values[i], scale);
   return values;
 }
 

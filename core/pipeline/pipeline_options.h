@@ -77,7 +77,14 @@ struct ChosenMethod {
 /// Whether both choose the same method of a step, and the same values for it.
 [[nodiscard]] bool isSameIn(const Step& step, const PipelineOptions& a, const PipelineOptions& b);
 
-/// The values a step would use for a plant of this scale, one per option of its method, in order.
+/// What options hold for a step and a plant of this scale, one value per option of its method, in
+/// order: as they are set, else by the rules. Those that were kept of another scale may be out of
+/// range in this one.
+[[nodiscard]] std::vector<double> valuesAsSet(const Step& step, const Method& method,
+                                              const PipelineOptions& options,
+                                              const PlantScale& scale);
+
+/// The same, as a step would use them.
 /// @throws Error if a setting is out of range
 [[nodiscard]] std::vector<double> resolvedValues(const Step& step, const Method& method,
                                                  const PipelineOptions& options,

@@ -27,22 +27,6 @@ QString shortNumber(double value) {
   return text;
 }
 
-/// As they are set, or by the rules: what was kept of another scale may be out of range in this
-/// one.
-std::vector<double> valuesAsSet(const Step& step, const Method& method,
-                                const PipelineOptions& options, const PlantScale& scale) {
-  const auto settings = options.settings.find(step.name);
-  std::vector<double> values;
-  for (const Option& option : method.options) {
-    Rule rule = option.rule;
-    if (settings != options.settings.end())
-      if (const auto set = settings->second.find(option.name); set != settings->second.end())
-        rule = set->second;
-    values.push_back(rule.value(scale));
-  }
-  return values;
-}
-
 /// What a step does otherwise, without its name; empty: nothing.
 QString changeOf(const Step& step, const PipelineOptions& before, const PipelineOptions& after,
                  const PlantScale& scale, const QString& unit) {

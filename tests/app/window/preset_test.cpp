@@ -34,6 +34,14 @@ TEST_F(PresetTest, OfTheThesisIsShownInTheForms) {
   EXPECT_EQ(shown(), PipelineOptions());
 }
 
+TEST_F(PresetTest, MayHoldAValueThatIsOutOfRangeOfThisScan) {
+  PipelineOptions kept = presetNamed("thesis")->options; // its contraction follows densities
+  kept.set("contract.density_radius=1000000");
+  window().findChild<PipelinePanel*>()->setOptions(kept);
+  waitForJob();
+  EXPECT_EQ(shown(), kept);
+}
+
 TEST_F(PresetTest, IsSavedAndOpenedAgain) {
   action("preset_thesis").trigger();
   choose("save_preset", path("mine.json"));

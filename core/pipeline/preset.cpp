@@ -40,13 +40,14 @@ bool takesWords(const Step& step, const std::string& name) {
 
 /// A value as a preset has it: a number, a rule, a word, or true or false.
 Json toJson(const PipelineOptions& options, const Step& step, const std::string& name,
-            const Rule& rule) {
+            const Rule& rule, const std::string& unit) {
   if (!rule.isFixed()) return rule.text();
   const double value = rule.fixed;
   for (const Option& option : chosenMethod(step, options).options) {
     if (option.name != name) continue;
     if (option.kind == OptionKind::flag) return value != 0;
     if (option.kind == OptionKind::choice) return option.wordFor(value);
+    if (option.kind == OptionKind::length && !unit.empty()) return plainDecimal(value) + " " + unit;
   }
   return value;
 }
@@ -188,14 +189,14 @@ PipelineOptions readPreset(std::istream& in, const std::string& file, double met
   return optionsIn(json, where, true, meters);
 }
 
-void writePreset(std::ostream& out, const PipelineOptions& options) {
+void writePreset(std::ostream& out, const PipelineOptions& options, const std::string& unit) {
   auto json = Json::object();
   for (const Step& step : pipelineSteps()) {
     if (const auto method = options.methods.find(step.name); method != options.methods.end())
       json[step.name]["method"] = method->second;
     if (const auto settings = options.settings.find(step.name); settings != options.settings.end())
       for (const auto& [name, value] : settings->second)
-        json[step.name][name] = toJson(options, step, name, value);
+        json[step.name][name] = toJson(options, step, name, value, unit);
   }
   out << json.dump(2) << '\n';
 }

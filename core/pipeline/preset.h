@@ -22,6 +22,8 @@ namespace espalier {
                                          double meters = 0);
 
 /// Writes what readPreset reads.
-void writePreset(std::ostream& out, const PipelineOptions& options);
+/// @param unit of the lengths, mm, cm or m: they are written with it, and hold for scans in another
+///             one; empty: not known
+void writePreset(std::ostream& out, const PipelineOptions& options, const std::string& unit = {});
 
 } // namespace espalier

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -70,7 +72,20 @@ NumberField::NumberField(const Option& option, QGridLayout& grid, QWidget& paren
   grid.addWidget(number_, row + 1, 1);
   connect(slider_, &QSlider::valueChanged, this, [this] { choose(valueAt(slider_->place())); });
   connect(slider_, &OptionSlider::defaultRequested, this, [this] { choose(std::nullopt); });
-  connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double typed) { choose(typed); });
+  connect(number_->findChild<QLineEdit*>(), &QLineEdit::textEdited, this,
+          [this](const QString& text) { typed_ = text; });
+  connect(number_, &QDoubleSpinBox::valueChanged, this, &NumberField::take);
+}
+
+/// What was typed as "6 sp" stays a rule, which holds for other scans, too.
+void NumberField::take(double number) {
+  QString text = std::exchange(typed_, QString());
+  if (text.endsWith(number_->suffix())) text.chop(number_->suffix().size());
+  const std::optional<Rule> rule = ruleIn(text.toStdString());
+  const double exactness = std::pow(10, -number_->decimals());
+  const bool isRule = option().kind == OptionKind::length && rule && !rule->isFixed() &&
+                      std::abs(rule->value(scale()) - number) <= exactness;
+  choose(isRule ? *rule : fixedAt(number));
 }
 
 /// A double click takes the whole number, not the digits on one side of its point.

@@ -25,11 +25,13 @@ public:
 private:
   void showScale(const QString& unit) override;
   void showValue() override;
+  void take(double number);
   [[nodiscard]] double placeOf(double value) const; // on the slider, in [0, 1]
   [[nodiscard]] double valueAt(double place) const;
 
   OptionSlider* slider_;
   NumberBox* number_;
+  QString typed_; // by hand since the number changed
 };
 
 } // namespace espalier

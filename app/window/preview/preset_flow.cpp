@@ -70,7 +70,7 @@ void PresetFlow::fill(QMenu& menu) {
     menu.addAction(tr("Settings: %1").arg(QString(each.name).replace('&', "&&")), this,
                    [this, each] {
                      std::istringstream in(each.text);
-                     show(readPreset(in, each.name.toStdString()));
+                     show(readPreset(in, each.name.toStdString(), metersInUnit()));
                    });
   menu.addSeparator();
   for (const char* id : {"keep_preset", "open_preset", "save_preset"})
@@ -115,7 +115,7 @@ void PresetFlow::keep() {
   const QString name = dialog.textValue().simplified();
   if (name.isEmpty()) return;
   std::ostringstream text;
-  writePreset(text, parts_.pipeline.options());
+  write(text);
   std::vector<Own> all = own();
   const auto before = std::ranges::find(all, name, &Own::name);
   if (before != all.end())
@@ -138,15 +138,23 @@ void PresetFlow::show(const PipelineOptions& options) {
   emit keptChanged();
 }
 
+double PresetFlow::metersInUnit() const {
+  const LengthUnit unit = parts_.document.unit();
+  return unit == LengthUnit::unknown ? 0 : metersIn(unit);
+}
+
+void PresetFlow::write(std::ostream& out) const {
+  writePreset(out, parts_.pipeline.options(), symbol(parts_.document.unit()).toStdString());
+}
+
 void PresetFlow::open() {
   const QString path = QFileDialog::getOpenFileName(
       &parts_.window, tr("Open settings"), parts_.settings.value(presetFolderKey).toString(),
       tr("Settings (*.json)"));
   if (path.isEmpty()) return;
   std::istringstream in(readText(toPath(path)));
-  const LengthUnit unit = parts_.document.unit();
-  const PipelineOptions options = readPreset(in, QFileInfo(path).fileName().toStdString(),
-                                             unit == LengthUnit::unknown ? 0 : metersIn(unit));
+  const PipelineOptions options =
+      readPreset(in, QFileInfo(path).fileName().toStdString(), metersInUnit());
   parts_.settings.setValue(presetFolderKey, QFileInfo(path).absolutePath());
   show(options);
 }
@@ -159,8 +167,7 @@ void PresetFlow::save() {
   dialog.selectFile("settings.json");
   if (dialog.exec() != QDialog::Accepted) return;
   const QString path = dialog.selectedFiles().front();
-  writeAtomically(toPath(path),
-                  [this](std::ostream& out) { writePreset(out, parts_.pipeline.options()); });
+  writeAtomically(toPath(path), [this](std::ostream& out) { write(out); });
   parts_.settings.setValue(presetFolderKey, QFileInfo(path).absolutePath());
   emit reported({.text = tr("Wrote %1").arg(QFileInfo(path).fileName())});
 }

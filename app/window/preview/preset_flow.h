@@ -5,6 +5,8 @@
 
 #include <QString>
 
+#include <iosfwd>
+#include <string>
 #include <vector>
 
 class QMenu;
@@ -49,6 +51,8 @@ private:
   void show(const PipelineOptions& options);
   void open();
   void save();
+  [[nodiscard]] double metersInUnit() const; // of the plant; 0: not known
+  void write(std::ostream& out) const;       // with that unit
 
   Parts parts_;
 };

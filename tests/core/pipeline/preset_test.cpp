@@ -28,6 +28,21 @@ TEST(Preset, IsReadAsItWasWritten) {
   EXPECT_EQ(read(out.str()), options);
 }
 
+TEST(Preset, HoldsForAScanInAnotherUnit) {
+  PipelineOptions options;
+  options.set("contract.radius=76.25");
+  options.set("contract.neighbors=9");
+  options.set("prune.length=6sp");
+  std::ostringstream out;
+  writePreset(out, options, "mm");
+  EXPECT_THAT(out.str(), testing::HasSubstr("\"radius\": \"76.25 mm\""));
+  std::istringstream in(out.str());
+  const PipelineOptions inMeters = readPreset(in, "mine.json", 1);
+  EXPECT_DOUBLE_EQ(inMeters.settings.at("contract").at("radius").fixed, 0.07625);
+  EXPECT_EQ(inMeters.settings.at("contract").at("neighbors"), fixedAt(9));
+  EXPECT_EQ(inMeters.settings.at("prune").at("length"), spacings(6));
+}
+
 TEST(Preset, HasFlagsAsTrueAndFalse) {
   PipelineOptions options;
   options.set("contract.circles=yes");

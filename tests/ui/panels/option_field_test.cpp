@@ -85,6 +85,15 @@ TEST(OptionField, OfANumberFollowsTheScaleOfThePlant) {
   form.field->setScale({.spacing = 0.5, .height = 100}, "m");
   EXPECT_EQ(number.value(), 1.5) << "another plant, the same rule";
   EXPECT_EQ(form.field->chosen(), spacings(3));
+  number.selectAll();
+  QTest::keyClicks(&number, "4 sp");
+  QTest::keyClick(&number, Qt::Key_Return);
+  EXPECT_EQ(number.value(), 2);
+  EXPECT_EQ(form.field->chosen(), spacings(4)) << "as it was typed";
+  number.selectAll();
+  QTest::keyClicks(&number, "2.5");
+  QTest::keyClick(&number, Qt::Key_Return);
+  EXPECT_EQ(form.field->chosen(), fixedAt(2.5));
   form.field->choose(fixedAt(100));
   form.field->setScale({.spacing = 2, .height = 100}, "mm");
   EXPECT_EQ(form.field->chosen(), fixedAt(20)) << "no farther than the range of this plant";

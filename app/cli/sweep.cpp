@@ -58,9 +58,14 @@ std::vector<double> listedValues(const SweepFlags& flags, const Swept& swept,
   const Step& step = stepNamed(swept.step);
   const Method& method = chosenMethod(step, options);
   std::vector<double> values;
+  const Option& option = optionOfChosen(options, swept.step, swept.option);
   for (const std::string& text : flags.values) {
     PipelineOptions with = options;
     try {
+      if (&option == &methodOption(step)) {
+        values.push_back(*option.valueOf(methodNamed(step, text).name));
+        continue;
+      }
       with.setText(step, swept.option, text, flags.pipeline.meters());
     } catch (const Error& problem) {
       throw WrongUsage(problem.what());
@@ -268,7 +273,8 @@ void addSweep(CLI::App& app) {
       ->required();
   command
       ->add_option("OPTION", flags->name,
-                   "STEP.OPTION to vary, such as contract.radius (see: espalier methods)")
+                   "STEP.OPTION to vary, such as contract.radius, or STEP.method for its methods "
+                   "(see: espalier methods)")
       ->required();
   command
       ->add_option("--values", flags->values,

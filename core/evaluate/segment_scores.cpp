@@ -61,54 +61,55 @@ Score distanceScore(const char* key, const char* symbol, const char* help,
 std::vector<Score> segmentScores() {
   const Measure* authors = measureOf("G, T and mapping");
   const Measure* more = measureOf("Capped, over all, one to many");
-  return {{.key = "mapping",
-           .label = Shown::tr("mapping"),
-           .help = Shown::tr("Share of the segments of both that are matched (authors)"),
-           .measure = authors,
-           .uses = inWindow | inStudies | inReport,
-           .compute = [](Plants plants) -> Value { return plants.authors().mapping; }},
-          {.key = "geometric",
-           .label = Shown::tr("geometric index G"),
-           .symbol = Shown::tr("G"),
-           .help = Shown::tr("Share of the length of both that is matched (authors)"),
-           .measure = authors,
-           .uses = inWindow | inStudies | inReport | inNoiseText | inRankingText | inBrief |
-                   inKeyNumbers,
-           .compute = [](Plants plants) -> Value { return plants.authors().geometric; },
-           .ofShares =
-               [](const ShareSums& sums) {
-                 return lengthShare(sums, Share::matchedResult, Share::matchedReference);
-               }},
-          {.key = "structural",
-           .label = Shown::tr("structural index T"),
-           .symbol = Shown::tr("T"),
-           .help = Shown::tr("Share of the matches whose nearest matched segments below are "
-                             "matched to each other (authors)"),
-           .measure = authors,
-           .uses = inWindow | inStudies | inReport | inNoiseText | inBrief | inKeyNumbers | onCards,
-           .compute = [](Plants plants) -> Value { return plants.authors().structural; },
-           .ofShares =
-               [](const ShareSums& sums) {
-                 return ratio(of(sums, Share::conserved), of(sums, Share::matches));
-               }},
-          {.key = "structural_of_all",
-           .label = Shown::tr("T over all segments of the reference"),
-           .symbol = Shown::tr("T of all"),
-           .help = Shown::tr("The same as a share of all segments of the reference"),
-           .measure = more,
-           .uses = inWindow | inStudies | inReport | inNoiseText | inRankingText,
-           .compute = [](Plants plants) -> Value { return plants.authors().structuralOfAll; },
-           .ofShares =
-               [](const ShareSums& sums) {
-                 return ratio(of(sums, Share::conserved), of(sums, Share::segments));
-               }},
-          {.key = "one_to_many",
-           .label = Shown::tr("G, one to many"),
-           .help = Shown::tr(
-               "The same as G, where a branch may match all the pieces that spurs cut it into"),
-           .measure = more,
-           .uses = inStudies | inReport,
-           .compute = [](Plants plants) -> Value { return plants.paths().geometric; }}};
+  return {
+      {.key = "mapping",
+       .label = Shown::tr("mapping"),
+       .help = Shown::tr("Share of the segments of both that are matched (authors)"),
+       .measure = authors,
+       .uses = inWindow | inStudies | inReport,
+       .compute = [](Plants plants) -> Value { return plants.authors().mapping; }},
+      {.key = "geometric",
+       .label = Shown::tr("geometric index G"),
+       .symbol = Shown::tr("G"),
+       .help = Shown::tr("Share of the length of both that is matched (authors)"),
+       .measure = authors,
+       .uses =
+           inWindow | inStudies | inReport | inNoiseText | inRankingText | inBrief | inKeyNumbers,
+       .compute = [](Plants plants) -> Value { return plants.authors().geometric; },
+       .ofShares =
+           [](const ShareSums& sums) {
+             return lengthShare(sums, Share::matchedResult, Share::matchedReference);
+           }},
+      {.key = "structural",
+       .label = Shown::tr("structural index T"),
+       .symbol = Shown::tr("T"),
+       .help = Shown::tr("Share of the matches whose nearest matched segments below are "
+                         "matched to each other (authors)"),
+       .measure = authors,
+       .uses = inWindow | inStudies | inReport | inNoiseText | inBrief | inKeyNumbers | onCards,
+       .compute = [](Plants plants) -> Value { return plants.authors().structural; },
+       .ofShares =
+           [](const ShareSums& sums) {
+             return ratio(of(sums, Share::conserved), of(sums, Share::matches));
+           }},
+      {.key = "structural_of_all",
+       .label = Shown::tr("T over all segments of the reference"),
+       .symbol = Shown::tr("T of all"),
+       .help = Shown::tr("The same as a share of all segments of the reference"),
+       .measure = more,
+       .uses = inWindow | inStudies | inReport | inNoiseText | inRankingText | inBrief | onCards,
+       .compute = [](Plants plants) -> Value { return plants.authors().structuralOfAll; },
+       .ofShares =
+           [](const ShareSums& sums) {
+             return ratio(of(sums, Share::conserved), of(sums, Share::segments));
+           }},
+      {.key = "one_to_many",
+       .label = Shown::tr("G, one to many"),
+       .help = Shown::tr(
+           "The same as G, where a branch may match all the pieces that spurs cut it into"),
+       .measure = more,
+       .uses = inStudies | inReport,
+       .compute = [](Plants plants) -> Value { return plants.paths().geometric; }}};
 }
 
 std::vector<Score> cappedSegmentScores() {

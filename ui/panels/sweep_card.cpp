@@ -12,9 +12,9 @@ namespace espalier {
 namespace {
 
 constexpr int cardMargin = 8;
-constexpr int cardRowHeight = 16;
+constexpr int cardRowHeight = 15;
 constexpr int headHeight = 20;
-constexpr int leastPicture = 64; // height
+constexpr int leastPicture = 56; // height
 
 /// For those who do not see it: the value, and what came of it.
 QString spoken(const SweepItem& item) {
@@ -105,8 +105,11 @@ void SweepCard::paintEvent(QPaintEvent* /*event*/) {
   bold.setBold(true);
   painter.setFont(bold);
   painter.setPen(palette().color(QPalette::Text));
-  painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, item_.label);
-  if (item_.isCurrent) painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, tr("in use"));
+  const QString use = item_.isCurrent ? tr("in use") : QString();
+  painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, use);
+  const int room = side - (use.isEmpty() ? 0 : painter.fontMetrics().horizontalAdvance(use) + 8);
+  painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter,
+                   painter.fontMetrics().elidedText(item_.label, Qt::ElideRight, room));
   paintScores(painter, scoreBox());
 }
 

@@ -35,8 +35,11 @@ namespace {
 
 constexpr QSize pictureSize(SweepCard::side, SweepCard::side);
 
-bool isSwept(const Option& option) {
-  return !option.takesWords();
+/// What stands on the card of a value.
+QString labelOf(const Option& option, double value, const QString& unit) {
+  return option.kind == OptionKind::choice
+             ? shownText(option.choices[static_cast<std::size_t>(value)].label)
+             : valueText(option, value, unit);
 }
 
 /// What one would sweep of a step, or of the contraction: the first length.
@@ -74,8 +77,12 @@ SweepFlow::SweepFlow(const Parts& parts) : parts_(parts) {
     listOptions();
     proposeRange();
   });
-  connect(&parts_.pipeline, &PipelinePanel::changed, this, &SweepFlow::listOptions);
-  connect(&parts_.pipeline, &PipelinePanel::replaced, this, &SweepFlow::listOptions);
+  const auto follow = [this] {
+    listOptions();
+    showCards(); // which of them is in use
+  };
+  connect(&parts_.pipeline, &PipelinePanel::changed, this, follow);
+  connect(&parts_.pipeline, &PipelinePanel::replaced, this, follow);
   connect(&parts_.document, &PlantDocument::unitChanged, this, &SweepFlow::proposeRange);
   seen_.setSingleShot(true);
   connect(&seen_, &QTimer::timeout, this, &SweepFlow::pictureNext);
@@ -150,11 +157,14 @@ void SweepFlow::listOptions() {
   const QSignalBlocker quiet(option_);
   option_->clear();
   const PipelineOptions options = parts_.pipeline.options();
-  for (const Step& step : pipelineSteps())
-    for (const Option& option : chosenMethod(step, options).options)
-      if (isSwept(option))
-        option_->addItem(shownText(step.label) + QStringLiteral(": ") + shownText(option.label),
-                         QString::fromStdString(step.name + "." + option.name));
+  for (const Step& step : pipelineSteps()) {
+    const auto add = [&](const Option& option) {
+      option_->addItem(shownText(step.label) + QStringLiteral(": ") + shownText(option.label),
+                       QString::fromStdString(step.name + "." + option.name));
+    };
+    if (step.methods.size() > 1) add(methodOption(step));
+    std::ranges::for_each(chosenMethod(step, options).options, add);
+  }
   int shown = before.isValid() ? option_->findData(before) : -1;
   if (shown < 0)
     shown = option_->findData(usualOption(before.toString().section('.', 0, 0), options));
@@ -169,6 +179,9 @@ void SweepFlow::proposeRange() {
   if (scan == nullptr || names.size() != 2) return;
   const Option& option =
       optionOfChosen(parts_.pipeline.options(), names[0].toStdString(), names[1].toStdString());
+  for (QWidget* field : std::initializer_list<QWidget*>{count_, from_, to_})
+    field->setEnabled(!option.takesWords()); // all of its words are tried
+  if (option.takesWords()) return;
   const std::vector<double> ends = sweepValues(option, parts_.document.scale(), 2);
   for (QDoubleSpinBox* number : {from_, to_})
     dress(*number, option, parts_.document.scale(), symbol(parts_.document.unit()));
@@ -187,13 +200,13 @@ void SweepFlow::start() {
   sweptOption_ = &option;
   sweptStep_ = step;
   std::optional<std::pair<double, double>> range = std::minmax(from_->value(), to_->value());
-  if (range == proposed_) range.reset(); // what is proposed is not rounded
+  if (range == proposed_) range.reset(); // the default, which is among them, is not rounded
   for (const double value : sweepValues(option, parts_.document.scale(), count_->value(), range)) {
-    PipelineOptions options = parts_.pipeline.options();
-    options.settings[step][option.name] = fixedAt(value);
-    trials_.push_back({.value = value, .options = std::move(options)});
+    trials_.push_back(
+        {.value = value,
+         .options = withValue(parts_.pipeline.options(), stepNamed(step), option, value)});
     trials_.back().item = {.value = value,
-                           .label = valueText(option, value, symbol(parts_.document.unit())),
+                           .label = labelOf(option, value, symbol(parts_.document.unit())),
                            .isPending = true};
   }
   next_ = 0;
@@ -267,6 +280,11 @@ PipelineOptions SweepFlow::inUse() const {
   PipelineOptions options = parts_.pipeline.options();
   const Scan* scan = parts_.document.scan();
   if (scan == nullptr || sweptOption_ == nullptr) return options;
+  const Step& step = stepNamed(sweptStep_);
+  if (sweptOption_ == &methodOption(step)) {
+    options.methods[sweptStep_] = chosenMethod(step, options).name;
+    return options;
+  }
   Rule& rule = options.settings[sweptStep_]
                    .try_emplace(sweptOption_->name, sweptOption_->rule)
                    .first->second;
@@ -279,7 +297,8 @@ void SweepFlow::showCards() {
   std::vector<Judgment> judgments;
   for (const Trial& trial : trials_)
     judgments.push_back(trial.judgment);
-  const std::vector<std::vector<SweepScore>> scores = sweepScores(judgments);
+  const std::vector<std::vector<SweepScore>> scores =
+      sweepScores(judgments, sweptOption_ == nullptr || !sweptOption_->takesWords());
   for (std::size_t i = 0; i < trials_.size(); ++i) {
     trials_[i].item.scores = scores[i];
     trials_[i].item.isCurrent = trials_[i].options == now;

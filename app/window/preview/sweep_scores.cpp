@@ -59,7 +59,8 @@ QString tipOf(const JudgedNumber& number, bool isEndBest) {
 
 } // namespace
 
-std::vector<std::vector<SweepScore>> sweepScores(const std::vector<Judgment>& judgments) {
+std::vector<std::vector<SweepScore>> sweepScores(const std::vector<Judgment>& judgments,
+                                                 bool haveEnds) {
   std::vector<std::vector<SweepScore>> scores(judgments.size());
   if (judgments.empty()) return scores;
   for (const JudgedNumber& number : judgedNumbers({}, true)) {
@@ -69,7 +70,7 @@ std::vector<std::vector<SweepScore>> sweepScores(const std::vector<Judgment>& ju
       values.push_back(number.of(judgment));
     const std::optional<double> best = bestOf(number, values);
     const bool isEndBest =
-        number.rank == JudgedNumber::Rank::byItself && best && isAtEnd(*best, values);
+        haveEnds && number.rank == JudgedNumber::Rank::byItself && best && isAtEnd(*best, values);
     for (std::size_t i = 0; i < judgments.size(); ++i)
       if (values[i])
         scores[i].push_back({.name = number.shortName,

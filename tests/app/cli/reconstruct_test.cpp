@@ -208,7 +208,20 @@ TEST_F(Subcommands, SweepTriesEachValue) {
   EXPECT_THAT(head, HasSubstr(",scores.structural,"));
 }
 
+TEST_F(Subcommands, SweepTriesTheMethodsOfAStep) {
+  const std::string out = run({"sweep", scan_, "contract.method", "--values", "euclidean_ball,none",
+                               "--json", file("a.json")});
+  EXPECT_THAT(out, HasSubstr("euclidean_ball"));
+  const json results = test::jsonIn(file("a.json"))["results"];
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_EQ(results[1]["value"], "none");
+  EXPECT_LT(results[0]["quality"]["residual_thickness"],
+            results[1]["quality"]["residual_thickness"]);
+}
+
 TEST_F(Subcommands, SweepRefusesWhatItCannotTry) {
+  test::expectRefusal(runProgram({"sweep", scan_, "contract.method", "--values", "magic"}), 2,
+                      {"magic", "euclidean_ball"});
   test::expectRefusal(runProgram({"sweep", scan_, "radius"}), 2, {"STEP.OPTION"});
   test::expectRefusal(runProgram({"sweep", scan_, "contract.strength"}), 2,
                       {"no option", "radius"});

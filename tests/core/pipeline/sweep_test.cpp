@@ -42,6 +42,12 @@ TEST(SweepValues, StandBetweenTheEndsOneChooses) {
   EXPECT_THAT(sweepValues(turn, sweptScale, 3, std::pair(10.0, 30.0)), ElementsAre(10, 20, 30));
 }
 
+TEST(SweepValues, AreAsPeopleReadThemButForTheDefault) {
+  const Option& radius = optionNamed("contract", "geodesic_centroid", "radius");
+  EXPECT_THAT(sweepValues(radius, {.spacing = 0.506312, .height = 1000}, 3),
+              ElementsAre(DoubleNear(0.949, 1e-9), 7.5 * 0.506312, DoubleNear(15.2, 1e-9)));
+}
+
 TEST(SweepValues, AreWholeForCounts) {
   const Option& neighbors = optionNamed("contract", "geodesic_centroid", "neighbors"); // 7, from 3
   EXPECT_THAT(sweepValues(neighbors, sweptScale, 3), ElementsAre(3, 9, 28));
@@ -99,6 +105,20 @@ TEST_F(Sweeps, GiveWhatEachValueGives) {
     EXPECT_TRUE(result.failure.empty());
   }
   EXPECT_FALSE(results[1].reconstruction.steps[0].isNew) << "what lies before is computed once";
+}
+
+TEST_F(Sweeps, GiveWhatEachMethodGives) {
+  const Step& contract = stepNamed("contract");
+  options.set("contract.radius=0.12");
+  const double own = *methodOption(contract).valueOf(contract.methods.front().name);
+  const double other = *methodOption(contract).valueOf("euclidean_ball");
+  sweep("contract", "method", {own, other});
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_EQ(*results[0].reconstruction.skeleton, *Pipeline().run(cloud, options).skeleton);
+  PipelineOptions ball;
+  ball.set("contract.method=euclidean_ball");
+  EXPECT_EQ(*results[1].reconstruction.skeleton, *Pipeline().run(cloud, ball).skeleton)
+      << "by its own defaults";
 }
 
 TEST_F(Sweeps, EndWithTheStepThatIsAskedFor) {

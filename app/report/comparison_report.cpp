@@ -36,6 +36,7 @@ Report comparisonReport(const ReportData& data, const ReportPictures& pictures,
   for (const auto& section : {summarySection, plantsSection, errorsSection, toleranceSection,
                               indicesSection, placesSection, woodSection, traitsSection})
     report.sections.push_back(section(parts));
+  if (about.made) report.sections.push_back(makingSection(parts));
   if (!about.choices.empty()) report.sections.push_back(choicesSection(about.choices));
   if (about.handWork) report.sections.push_back(handWorkSection(*about.handWork, parts.numbers));
   report.sections.push_back(settingsSection(parts));

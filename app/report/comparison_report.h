@@ -5,6 +5,7 @@
 #include "app/report/report_data.h"
 #include "app/report/report_pictures.h"
 #include "core/base/progress.h"
+#include "core/pipeline/pipeline_options.h"
 #include "core/project/corrections.h"
 
 #include <QString>
@@ -42,6 +43,8 @@ struct ReportAbout {
   bool turns = true;     // turns were looked for
   UpAxis up = UpAxis::z; // all angles about it
   EditOptions edit;
+  std::optional<PipelineOptions> made =
+      {};                                 // what the result was reconstructed with; none: not known
   std::vector<ChoiceRecord> choices = {}; // of options
   std::optional<HandWork> handWork;       // none: the result has no history
 };

@@ -115,24 +115,17 @@ ReportTable inputs(const ReportParts& parts) {
 
 const QString exportedName = QStringLiteral("plant.mtg");
 
-/// The very numbers, with commas between; zero has no sign.
-QString listed(const Eigen::VectorXd& values) {
-  QStringList numbers;
-  for (const double number : values)
-    numbers.append(QString::number(number + 0.0, 'g', QLocale::FloatingPointShortest));
-  return numbers.join(',');
-}
-
 /// How the plant is laid on the reference.
 QStringList placeFlags(const std::optional<Registration>& registration, const ReportAbout& about) {
   if (!registration) return {QStringLiteral("--no-register")};
   QStringList flags;
   if (registration->isGiven && registration->angle() == 0) {
-    flags = {"--shift=" + listed(registration->motion.translation())};
+    flags = {"--shift=" + typedNumbers(registration->motion.translation())};
   } else if (registration->isGiven) {
     const double degrees = registration->angle() * 180 / std::numbers::pi;
-    flags = {"--turn=" + listed((Eigen::Vector4d() << registration->axis(), degrees).finished()),
-             "--shift=" + listed(registration->shift)};
+    flags = {"--turn=" +
+                 typedNumbers((Eigen::Vector4d() << registration->axis(), degrees).finished()),
+             "--shift=" + typedNumbers(registration->shift)};
   } else {
     if (!about.turns) flags.append(QStringLiteral("--no-rotate"));
     if (about.up != UpAxis::z)
@@ -243,12 +236,22 @@ ReportTable inputsTable(const std::vector<std::pair<QString, ReportedFile>>& inp
   return table;
 }
 
+QString typedWord(const QString& word) {
+  static const QRegularExpression plain(QStringLiteral("^[\\w./+:=@%,-]+$"));
+  if (plain.match(word).hasMatch()) return word;
+  return '\'' + QString(word).replace('\'', QStringLiteral("'\\''")) + '\'';
+}
+
+QString typedNumbers(const Eigen::VectorXd& values) {
+  QStringList numbers;
+  for (const double number : values)
+    numbers.append(QString::number(number + 0.0, 'g', QLocale::FloatingPointShortest));
+  return numbers.join(',');
+}
+
 QString typedName(const ReportedFile& file) {
   if (file.isToExport) return exportedName;
-  QString path = file.path.isEmpty() ? file.name : file.path;
-  static const QRegularExpression plain(QStringLiteral("^[\\w./+:=@%,-]+$"));
-  if (plain.match(path).hasMatch()) return path;
-  return '\'' + path.replace('\'', QStringLiteral("'\\''")) + '\'';
+  return typedWord(file.path.isEmpty() ? file.name : file.path);
 }
 
 std::vector<ReportBlock> exportAdvice(const ReportedFile& file) {

@@ -30,6 +30,7 @@ struct ReportParts {
 [[nodiscard]] ReportSection woodSection(const ReportParts& parts);
 [[nodiscard]] ReportSection traitsSection(const ReportParts& parts);
 [[nodiscard]] ReportSection handWorkSection(const HandWork& work, const ReportNumbers& numbers);
+[[nodiscard]] ReportSection makingSection(const ReportParts& parts); // pre: about.made
 [[nodiscard]] ReportSection settingsSection(const ReportParts& parts);
 [[nodiscard]] ReportSection methodsSection(const ReportParts& parts);
 
@@ -44,6 +45,10 @@ struct ReportParts {
 [[nodiscard]] QString nameOf(const TraitRow& row, const ReportNumbers& numbers);
 /// What was read, by its role.
 [[nodiscard]] ReportTable inputsTable(const std::vector<std::pair<QString, ReportedFile>>& inputs);
+/// A word as it is typed in a command, in quotes if it needs them.
+[[nodiscard]] QString typedWord(const QString& word);
+/// The very numbers, with commas between; zero has no sign.
+[[nodiscard]] QString typedNumbers(const Eigen::VectorXd& values);
 /// A file as it is typed in a command; one that is to be exported first has a name of its own.
 [[nodiscard]] QString typedName(const ReportedFile& file);
 /// Says to export it first; empty: it is a file already.

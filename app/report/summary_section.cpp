@@ -84,7 +84,8 @@ QString whereItDiffers(const ReportParts& parts) {
     whole += part.referenceLength;
   std::vector<PartAgreement> large; // the trunk, and no order of single twigs, or that one lacks
   for (const PartAgreement& part : byPlace.byOrder)
-    if (part.resultLength > 0 && (part.from == 0 || part.referenceLength >= 0.03 * whole))
+    if (const double both = std::min(part.resultLength, part.referenceLength);
+        both > 0 && (part.from == 0 || both >= 0.03 * whole))
       large.push_back(part);
   if (large.size() < 2) return {};
   const auto [worst, best] = std::ranges::minmax_element(large, {}, f);

@@ -374,6 +374,11 @@ void MainWindow::joinPipeline() {
             showNotice({.text = message, .isStep = true});
           });
   connect(&reconstruct, &ReconstructFlow::usedChanged, &reconstruct, &ReconstructFlow::showUsed);
+  auto& evaluation = parts_.get<EvaluationFlow>();
+  connect(&reconstruct, &ReconstructFlow::usedChanged, &evaluation, [&reconstruct, &evaluation] {
+    evaluation.setMade(reconstruct.isUsedKnown() ? std::optional(reconstruct.used())
+                                                 : std::nullopt);
+  });
   connect(&parts_.get<PipelineFlow>(), &PipelineFlow::shown, &preview, &PreviewFlow::keepChoices);
   connect(&sweep, &SweepFlow::taken, &densities, &DensityFlow::refresh);
   connect(&presets, &PresetFlow::chosen, &densities, &DensityFlow::refresh);

@@ -131,6 +131,10 @@ void EvaluationFlow::keepTexts() {
   connect(traits_.get(), &TraitsFlow::densityChanged, this, &EvaluationFlow::keptChanged);
 }
 
+void EvaluationFlow::setMade(std::optional<PipelineOptions> options) {
+  report_->setMade(std::move(options));
+}
+
 void EvaluationFlow::setChoices(std::vector<ChoiceRecord> records) {
   report_->setChoices(std::move(records));
 }

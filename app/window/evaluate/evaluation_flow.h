@@ -51,6 +51,7 @@ public:
 
   void setPlantShown(bool isShown) override;
   void setChoices(std::vector<ChoiceRecord> records);         // for the report
+  void setMade(std::optional<PipelineOptions> options);       // likewise; none: not known
   void setEnvelope(std::optional<ReportedEnvelope> envelope); // for the report of the plant
   void setDark(bool isDark);
 

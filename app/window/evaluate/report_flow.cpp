@@ -87,6 +87,7 @@ ReportAbout ReportFlow::about() const {
   about.turns = how.turns;
   about.up = how.up;
   about.edit = how.edit;
+  about.made = made_;
   about.choices = choices_;
   about.handWork = handWork(document);
   return about;

@@ -34,6 +34,7 @@ public:
 
   void setIgnored(std::vector<DifferingPart> ignored) { ignored_ = std::move(ignored); }
   void setChoices(std::vector<ChoiceRecord> records) { choices_ = std::move(records); }
+  void setMade(std::optional<PipelineOptions> options) { made_ = std::move(options); }
   void refresh(); // whether there is anything to report
 
   /// Measures, draws and writes to a file whose name says how.
@@ -51,7 +52,8 @@ private:
   Parts parts_;
   ReportMaker maker_;
   std::vector<ChoiceRecord> choices_;
-  std::vector<DifferingPart> ignored_; // in the frame of the plant
+  std::optional<PipelineOptions> made_; // what the plant was reconstructed with; none: not known
+  std::vector<DifferingPart> ignored_;  // in the frame of the plant
 };
 
 } // namespace espalier

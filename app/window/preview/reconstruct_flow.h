@@ -34,6 +34,7 @@ public:
   void setEnabled(bool isEnabled) override;
   void setPlantShown(bool isShown) override;
   [[nodiscard]] const std::shared_ptr<SharedPipeline>& pipeline() const { return pipeline_; }
+  [[nodiscard]] bool isUsedKnown() const { return isDone_; }
   /// What the skeleton was made with; as the rules say if that is not known, or undone.
   [[nodiscard]] PipelineOptions used() const { return isDone_ ? run_->options : PipelineOptions(); }
   /// The same, and which run it was, as a text; empty if it is not known.

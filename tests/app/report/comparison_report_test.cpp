@@ -54,6 +54,28 @@ TEST(ComparisonReport, SaysInWhichOrderItAgreesBestOfThoseThatBothHave) {
   EXPECT_FALSE(trunk.contains("agrees best")) << qPrintable(trunk);
 }
 
+TEST(ComparisonReport, SaysWithWhatThePlantWasReconstructed) {
+  ReportAbout about = aboutPlants();
+  about.made = PipelineOptions();
+  about.made->set("contract.method=euclidean_ball");
+  about.made->set("contract.radius=0.0785");
+  about.made->set("prune.length=6sp");
+  about.made->up = UpAxis::y;
+  const Report report = reportOfTrunk(about);
+  const ReportSection& making = sectionOf(report, "How the plant was reconstructed");
+  const QString text = textOf(making);
+  EXPECT_EQ(cellOf(making, "Contract: Radius", 1), thin("0.0785_m"));
+  EXPECT_EQ(cellOf(making, "Contract: Radius", 2), "6 point spacings");
+  EXPECT_EQ(cellOf(making, "Prune: Length", 1), "6 point spacings");
+  EXPECT_TRUE(text.contains("espalier reconstruct SCAN -o plant.mtg --unit m --up y "
+                            "--set contract.method=euclidean_ball --set contract.radius=0.0785 "
+                            "--set 'prune.length=6 point spacings'"))
+      << qPrintable(text);
+  about.made = PipelineOptions();
+  EXPECT_TRUE(textOf(sectionOf(reportOfTrunk(about), "How the plant was reconstructed"))
+                  .contains("By the default methods, all options by their rules."));
+}
+
 TEST(ComparisonReport, HoldsTheNumbersOfTheJson) {
   const ReportData data = reported(test::stick(21, 0.1), branched(), near);
   const Report report = comparisonReport(data, {}, aboutPlants());

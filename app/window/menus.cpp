@@ -126,7 +126,7 @@ std::vector<MenuPlaces> menuPlaces() {
             {"points/registration", MainWindow::tr("Several Scans")}}},
           {MainWindow::tr("&Skeleton"), skeletonPlaces()},
           {MainWindow::tr("R&adius"), {{"radius"}}},
-          {MainWindow::tr("Eval&uate"), {{"evaluate"}}},
+          {MainWindow::tr("Eval&uate"), {{"evaluate"}, line, {"evaluate/envelope"}}},
           {MainWindow::tr("&Review"),
            {{"review/walk"}, line, {"review/findings"}, line, {"review/doubts"}}},
           {MainWindow::tr("Help"), {{"help"}}}}; // Alt+H is a key of the plant

@@ -6,6 +6,7 @@
 #include "ui/panels/score_text.h"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 
 #include <algorithm>
@@ -24,6 +25,7 @@ EvaluationScores::EvaluationScores(const PlantDocument& document) : document_(do
   grid->setContentsMargins(0, 0, 8, 0);
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(2);
+  addLeading(*grid);
   addScores(*grid);
   for (const int values : {1, 3}) // other numbers must not move what lies beside
     grid->setColumnMinimumWidth(values, fontMetrics().horizontalAdvance("0.000000 m"));
@@ -37,6 +39,29 @@ EvaluationScores::EvaluationScores(const PlantDocument& document) : document_(do
   forget();
 }
 
+/// In the row above both columns: what is looked for first is seen without scrolling.
+void EvaluationScores::addLeading(QGridLayout& grid) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(6);
+  for (const Score* score : leadingFirst(scoresIn(inBrief))) {
+    auto* name = makeLabel("", "quiet");
+    name->setText(symbolOf(*score));
+    auto* value = makeLabel(("leading_" + score->key).c_str(), "title");
+    value->setAccessibleName(labelOf(*score));
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    // Other numbers must not move what lies beside.
+    value->setMinimumWidth(value->fontMetrics().horizontalAdvance("0.0000"));
+    for (QLabel* label : {name, value}) {
+      label->setToolTip(tipOf(*score));
+      row->addWidget(label);
+    }
+    row->addSpacing(12);
+    leading_[score->key] = value;
+  }
+  row->addStretch(1);
+  grid.addLayout(row, 0, 0, 1, 4);
+}
+
 /// The groups one below the other, in two columns of about the same height.
 void EvaluationScores::addScores(QGridLayout& grid) {
   const ScoreList shown = leadingFirst(scoresIn(inPanel));
@@ -48,12 +73,14 @@ void EvaluationScores::addScores(QGridLayout& grid) {
   int rows = 0;
   for (const auto& [title, count] : rowsOf)
     rows += count;
-  Place place;
+  constexpr int first = 1; // below the leading ones
+  Place place{.row = first};
   QString group;
   for (const Score* score : shown) {
     if (const QString title = titleOf(score->group); title != group) {
-      const bool isHalf = 2 * place.row + rowsOf[title] >= rows; // with half of this group
-      if (place.column == 0 && isHalf) place = {.row = 0, .column = 1};
+      const bool isHalf =
+          2 * (place.row - first) + rowsOf[title] >= rows; // with half of this group
+      if (place.column == 0 && isHalf) place = {.row = first, .column = 1};
       addGroup(grid, place, group = title);
     }
     values_[score->key] = addValue(grid, place, titled(symbolOf(*score)), tipOf(*score),
@@ -72,7 +99,7 @@ void EvaluationScores::addScores(QGridLayout& grid) {
 void EvaluationScores::addGroup(QGridLayout& grid, Place& place, const QString& name) {
   auto* label = makeLabel("", "quiet");
   label->setText(name);
-  if (place.row > 0) label->setContentsMargins(0, 8, 0, 0);
+  if (place.row > 1) label->setContentsMargins(0, 8, 0, 0);
   grid.addWidget(label, place.row++, 2 * place.column, 1, 2);
 }
 
@@ -92,8 +119,9 @@ QLabel* EvaluationScores::addValue(QGridLayout& grid, Place& place, const QStrin
 
 void EvaluationScores::show(const Evaluation& evaluation) {
   const ScoreValues& scores = evaluation.comparison.scores;
-  for (const auto& [key, value] : values_)
-    value->setText(textOf(scores.at(key), scoreOf(key).unit, document_.unit()));
+  for (const auto* labels : {&leading_, &values_})
+    for (const auto& [key, value] : *labels)
+      value->setText(textOf(scores.at(key), scoreOf(key).unit, document_.unit()));
   const std::string& missing = evaluation.comparison.stems.missing;
   stems_->setText(missing.empty()
                       ? QString()
@@ -125,8 +153,9 @@ void EvaluationScores::endBetweenRows() {
 }
 
 void EvaluationScores::forget() {
-  for (const auto& [key, value] : values_)
-    value->setText(QStringLiteral("–"));
+  for (const auto* labels : {&leading_, &values_})
+    for (const auto& [key, value] : *labels)
+      value->setText(QStringLiteral("–"));
   stems_->hide();
   fit();
 }
@@ -134,6 +163,8 @@ void EvaluationScores::forget() {
 void EvaluationScores::setStale(bool isStale) {
   for (const auto& [key, value] : values_)
     setRole(*value, isStale ? "quiet" : "value");
+  for (const auto& [key, value] : leading_)
+    value->setEnabled(!isStale);
 }
 
 void EvaluationScores::showHandWork(const HandWork& work) {

@@ -16,7 +16,8 @@ namespace espalier {
 
 class PlantDocument;
 
-/// The scores of a comparison in their groups, and the work by hand, in two columns.
+/// The scores of a comparison: the leading ones in large at the top, then all in their groups, and
+/// the work by hand, in two columns.
 class EvaluationScores : public QScrollArea {
   Q_OBJECT
 
@@ -33,6 +34,7 @@ protected:
 
 private:
   struct Place; // where the next row goes
+  void addLeading(QGridLayout& grid);
   void addScores(QGridLayout& grid);
   void addGroup(QGridLayout& grid, Place& place, const QString& name);
   QLabel* addValue(QGridLayout& grid, Place& place, const QString& text, const QString& help,
@@ -42,8 +44,9 @@ private:
 
   const PlantDocument& document_;
   QWidget* scores_;
-  std::map<std::string, QLabel*> values_; // by key of the score
-  QLabel* stems_;                         // why their diameters are not shown
+  std::map<std::string, QLabel*> leading_; // by key of the score
+  std::map<std::string, QLabel*> values_;  // likewise
+  QLabel* stems_;                          // why their diameters are not shown
   QLabel* work_;
 };
 

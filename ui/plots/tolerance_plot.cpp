@@ -58,7 +58,9 @@ void paintAxes(QPainter& painter, const Frame& frame, const QString& unit,
                      QString::number(share, 'f', 1));
   }
   paintNumbersBelow(painter, inner, frame.from, frame.to, colors);
-  painter.drawText(QRectF(inner.left(), inner.bottom() + 19, inner.width(), 16), Qt::AlignCenter,
+  constexpr double beside = 36; // where a narrow plot leaves no room for the name between its ends
+  const QRectF below(inner.left() - beside, inner.bottom() + 19, inner.width() + 2 * beside, 16);
+  painter.drawText(below, Qt::AlignCenter,
                    unit.isEmpty() ? ToleranceText::tr("tolerance")
                                   : ToleranceText::tr("tolerance [%1]").arg(unit));
 }

@@ -110,8 +110,7 @@ EnvelopeFlow::EnvelopeFlow(const Parts& parts) : parts_(parts) {
   actions.beginSection(tr("Evaluation"));
   actions.add({.id = "write_envelope",
                .text = tr("Export Envelope…"),
-               .help = tr("Writes the surface about the crown as a mesh, PLY or OBJ"),
-               .menu = "evaluate"},
+               .help = tr("Writes the surface about the crown as a mesh, PLY or OBJ")},
               [this] { chooseFile(); });
   panel_ = new EnvelopePanel(*actions["write_envelope"]);
   dock_ = addDock(new PanelDock(
@@ -121,9 +120,10 @@ EnvelopeFlow::EnvelopeFlow(const Parts& parts) : parts_(parts) {
        .text = tr("Crown Envelope…"),
        .help = tr("Draws a closed surface about the crown, and measures its volume and area"),
        .keys = {},
-       .menu = "evaluate",
+       .menu = "evaluate/envelope",
        .manual = "traits.md#the-envelope-of-the-crown"},
       besideThePlant, panel_, this));
+  actions.place("evaluate/envelope", {"write_envelope"});
   timer_.setSingleShot(true);
   timer_.setInterval(250); // [ms]: a drag is followed when it rests
   connect(&timer_, &QTimer::timeout, this, &EnvelopeFlow::fit);

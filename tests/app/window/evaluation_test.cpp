@@ -89,6 +89,20 @@ TEST_F(EvaluationWindowTest, ListsWhatIsMissedAndFarInGroups) {
   }
 }
 
+TEST_F(EvaluationWindowTest, ShowsTheLeadingScoresWithoutScrolling) {
+  compare([](SkeletonEditor& editor) { removeSubtree(editor, shoot(2)); });
+  for (const char* key : {"f", "geometric", "structural"}) {
+    const auto& large = find<QLabel>(QString("leading_") + key);
+    EXPECT_EQ(large.text(), score(key)) << key;
+    EXPECT_FALSE(large.visibleRegion().isEmpty()) << key;
+  }
+  document().edit("Remove", [](SkeletonEditor& editor) { removeSubtree(editor, shoot(1)); });
+  EXPECT_FALSE(find<QLabel>("leading_f").isEnabled()) << "stale until it is fresh";
+  ASSERT_TRUE(waitForScores());
+  EXPECT_TRUE(find<QLabel>("leading_f").isEnabled());
+  EXPECT_EQ(find<QLabel>("leading_f").text(), score("f"));
+}
+
 TEST_F(EvaluationWindowTest, ShowsDiametersAtBreastHeightOnceTheUnitIsKnown) {
   compare([](SkeletonEditor& editor) {
     for (const NodeId id : editor.skeleton().ids())

@@ -43,8 +43,9 @@ QHBoxLayout* withReason(QComboBox* list, QLabel* reason) {
 
 ScanDialog::ScanDialog(ScanLook look, std::uint64_t mostAtOnce, QWidget* parent)
     : QDialog(parent), look_(std::move(look)), asked_(mostAtOnce),
-      points_(wrappedLabel("scan_points")), columns_(wrappedLabel("scan_columns")),
-      bounds_(wrappedLabel("scan_bounds")), size_(wrappedLabel("scan_size")), unit_(new QComboBox),
+      questions_(wrappedLabel("scan_questions", "warning")), points_(wrappedLabel("scan_points")),
+      columns_(wrappedLabel("scan_columns")), bounds_(wrappedLabel("scan_bounds")),
+      size_(wrappedLabel("scan_size")), unit_(new QComboBox),
       unitReason_(wrappedLabel("unit_reason", "quiet")), up_(new QComboBox),
       upReason_(wrappedLabel("up_reason", "quiet")), part_(new PartForm(look_.glance, mostAtOnce)),
       remembers_(new QCheckBox(tr("Read files that begin alike so, too"), this)),
@@ -67,13 +68,16 @@ ScanDialog::ScanDialog(ScanLook look, std::uint64_t mostAtOnce, QWidget* parent)
   showGlance();
   connect(part_, &PartForm::changed, this, &ScanDialog::refresh);
   connect(unit_, &QComboBox::activated, this, [this] { isUnitChosen_ = true; });
-  connect(unit_, &QComboBox::currentIndexChanged, this,
-          [this] { size_->setText(sizeText(look_.glance, unit())); });
+  connect(unit_, &QComboBox::currentIndexChanged, this, [this] {
+    size_->setText(sizeText(look_.glance, unit()));
+    showQuestions();
+  });
   connect(up_, &QComboBox::activated, this, [this] { isUpChosen_ = true; });
   if (table_ != nullptr)
     connect(table_, &ColumnTable::fieldsChanged, this, &ScanDialog::refreshColumns);
   refresh();
   showChosen();
+  showQuestions();
 }
 
 /// What was chosen before, and why that could not be read: another try may do.
@@ -106,11 +110,7 @@ QVBoxLayout* ScanDialog::makeHead() {
   if (!version.isEmpty()) words.append(version);
   format->setText(words.join(QStringLiteral(", ")));
   head->addWidget(format);
-  const QStringList questions = questionsOf(look_, asked_);
-  auto* why = wrappedLabel("scan_questions", "warning");
-  why->setText(questions.join('\n'));
-  why->setVisible(!questions.isEmpty());
-  head->addWidget(why);
+  head->addWidget(questions_);
   return head;
 }
 
@@ -213,6 +213,20 @@ void ScanDialog::showGlance() {
   upReason_->setText(reasonText(glance.up));
 }
 
+/// Those that are still open. Once there are none, their room stays: nothing moves under the hand.
+void ScanDialog::showQuestions() {
+  ScanLook now = look_;
+  if (unit() != LengthUnit::unknown) now.unit = unit();
+  if (areColumnsChosen_) now.columns = columns();
+  const QStringList questions = questionsOf(now, asked_);
+  questions_->setVisible(!questions.isEmpty());
+  if (questions.isEmpty()) return;
+  questions_->setText(questions.join('\n'));
+  QSizePolicy policy = questions_->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  questions_->setSizePolicy(policy);
+}
+
 void ScanDialog::setGlance(const PointGlance& glance) {
   look_.glance = glance;
   showGlance();
@@ -227,7 +241,10 @@ void ScanDialog::showProblem(const QString& problem) {
 
 void ScanDialog::refreshColumns() {
   refresh();
-  if (table_->problem().isEmpty()) emit columnsChosen(table_->fields());
+  if (!table_->problem().isEmpty()) return;
+  areColumnsChosen_ = true;
+  showQuestions();
+  emit columnsChosen(table_->fields());
 }
 
 void ScanDialog::refresh() {

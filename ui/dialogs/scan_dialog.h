@@ -50,12 +50,14 @@ private:
   void orderTabs();
   void showChosen();
   void showGlance();
+  void showQuestions();
   void refreshColumns();
   void refresh();
   [[nodiscard]] LengthUnit unit() const;
 
   ScanLook look_;
   std::uint64_t asked_; // mostAtOnce when it opened
+  QLabel* questions_;
   QLabel* points_;
   QLabel* columns_;
   QLabel* bounds_;
@@ -73,6 +75,7 @@ private:
   QPushButton* cancel_ = nullptr;
   bool isUnitChosen_ = false; // by hand: it stays
   bool isUpChosen_ = false;   // likewise
+  bool areColumnsChosen_ = false;
 };
 
 } // namespace espalier

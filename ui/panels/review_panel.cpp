@@ -242,10 +242,10 @@ void ReviewPanel::refresh() {
   share_->setText(tr("%1 % reviewed").arg(percentText(seen, ReviewState::reviewed, 1)));
   model_->show(document_.skeleton(), document_.unit());
   constexpr int margins = 8;
-  const QFontMetrics& letters = axes_->fontMetrics();
-  axes_->horizontalHeader()->resizeSection(
-      0, margins + std::max(letters.horizontalAdvance(model_->longestName()),
-                            letters.horizontalAdvance(tr("Axis"))));
+  QHeaderView& header = *axes_->horizontalHeader();
+  header.resizeSection(
+      0, std::max(margins + axes_->fontMetrics().horizontalAdvance(model_->longestName()),
+                  header.sectionSizeHint(0)));
   fitTexts();
 }
 

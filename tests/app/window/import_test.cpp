@@ -157,6 +157,19 @@ TEST_F(ImportTest, AsksForColumnsThatCannotBeFoundOut) {
   EXPECT_TRUE(cloud().intensities().empty());
 }
 
+TEST_F(ImportTest, AQuestionGoesOnceItIsAnswered) {
+  openAnd(writeField("field.txt"), [](QDialog& dialog) {
+    const auto& questions = *dialog.findChild<QLabel*>("scan_questions");
+    const int height = dialog.findChild<QComboBox*>("scan_unit")->y();
+    choose(dialog, "column_1", "z");
+    EXPECT_TRUE(questions.isVisible()) << "no column holds x";
+    choose(dialog, "column_3", "x");
+    EXPECT_FALSE(questions.isVisible());
+    EXPECT_EQ(dialog.findChild<QComboBox*>("scan_unit")->y(), height) << "nothing moves";
+    dialog.reject();
+  });
+}
+
 TEST_F(ImportTest, BadChoicesAreSaidAtOnce) {
   openAnd(writeField("field.txt"), [](QDialog& dialog) {
     choose(dialog, "column_4", "x");

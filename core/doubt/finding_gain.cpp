@@ -52,9 +52,11 @@ double chanceOfError(const Finding& finding, bool isCrowded) {
 
 /// Whether points without wood are mostly of leaves: of bare plants there are few such clusters for
 /// each end.
-bool isCrowded(const std::vector<Finding>& findings, const Skeleton& skeleton) {
+bool isCrowded(const std::vector<Finding>& findings, const std::vector<Finding>& others,
+               const Skeleton& skeleton) {
   constexpr double most = 0.25; // for each end
-  const auto twigs = std::ranges::count(findings, Kind::unexplainedPoints, &Finding::kind);
+  const auto twigs = std::ranges::count(findings, Kind::unexplainedPoints, &Finding::kind) +
+                     std::ranges::count(others, Kind::unexplainedPoints, &Finding::kind);
   const auto ends = std::ranges::count_if(skeleton.ids(),
                                           [&](NodeId id) { return skeleton.children(id).empty(); });
   return static_cast<double>(twigs) > most * static_cast<double>(ends);
@@ -90,9 +92,10 @@ std::vector<NodeId> woodOf(const Finding& finding, const Skeleton& skeleton) {
   return {};
 }
 
-std::vector<FindingGain> gainsOf(const std::vector<Finding>& findings, const Skeleton& skeleton) {
+std::vector<FindingGain> gainsOf(const std::vector<Finding>& findings, const Skeleton& skeleton,
+                                 const std::vector<Finding>& others) {
   const PlantShare plant(skeleton);
-  const bool areCrowded = isCrowded(findings, skeleton);
+  const bool areCrowded = isCrowded(findings, others, skeleton);
   std::vector<FindingGain> gains;
   gains.reserve(findings.size());
   for (const Finding& finding : findings) {

@@ -16,10 +16,11 @@ struct FindingGain {
 /// Of each finding. How probably it is an error follows from its kind, as was measured on simulated
 /// plants that were reconstructed (espalier_findings --found); of a bare twig, from how many points
 /// it has, and from how many others there are, as leaves make many small ones.
-/// @param findings all of the plant
+/// @param others  of the same plant, which count for that, too, as those that are ignored
 /// pre: `skeleton` has the nodes of the findings. O(N + findings)
 [[nodiscard]] std::vector<FindingGain> gainsOf(const std::vector<Finding>& findings,
-                                               const Skeleton& skeleton);
+                                               const Skeleton& skeleton,
+                                               const std::vector<Finding>& others = {});
 
 /// The nodes whose edges a finding says are wrong: the branch that is attached wrongly, or what has
 /// no points. None where wood is missing. pre: `skeleton` has its nodes

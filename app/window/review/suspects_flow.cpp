@@ -204,7 +204,9 @@ std::vector<Suspect> SuspectsFlow::suspects(bool areIgnored) const {
   const std::vector<Finding>& findings =
       areIgnored ? parts_.findings.ignored() : parts_.findings.findings();
   const std::vector<Doubt>& doubts = areIgnored ? parts_.doubts.ignored() : parts_.doubts.doubts();
-  const std::vector<FindingGain> gains = gainsOf(findings, parts_.document.skeleton());
+  const std::vector<FindingGain> gains =
+      gainsOf(findings, parts_.document.skeleton(),
+              areIgnored ? parts_.findings.findings() : parts_.findings.ignored());
   std::vector<Suspect> all;
   for (std::size_t i = 0; i < findings.size(); ++i)
     if (isListedPlace(nodesOf(findings[i])) && (areIgnored || !isIgnoredAsDoubt(i)))

@@ -88,10 +88,12 @@ TEST(FindingGain, OfABareTwigFollowsFromItsPointsWhereLeavesMakeMany) {
   const std::vector<double> many = of({twig(10), twig(30), twig(100)});
   EXPECT_LT(many[0], many[1]);
   EXPECT_LT(many[1], many[2]);
+  const std::vector<Finding> ignored(6, twig(10));
   Skeleton bushy = plant;
   for (int i = 0; i < 20; ++i)
     bushy.add({.position = {0.1 * i, 1, 1}, .parent = NodeId(1), .edge = EdgeType::branching});
   EXPECT_GT(gainsOf({twig(10)}, bushy).front().wrong, many[2]) << "a bare plant has few";
+  EXPECT_EQ(gainsOf({twig(10)}, bushy, ignored).front().wrong, many[0]) << "ignored ones count";
 }
 
 } // namespace

@@ -74,18 +74,23 @@ NumberField::NumberField(const Option& option, QGridLayout& grid, QWidget& paren
   connect(slider_, &OptionSlider::defaultRequested, this, [this] { choose(std::nullopt); });
   connect(number_->findChild<QLineEdit*>(), &QLineEdit::textEdited, this,
           [this](const QString& text) { typed_ = text; });
-  connect(number_, &QDoubleSpinBox::valueChanged, this, &NumberField::take);
+  connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double number) {
+    const std::optional<Rule> rule = takeTypedRule();
+    choose(rule.value_or(fixedAt(number)));
+  });
+  connect(number_, &QDoubleSpinBox::editingFinished, this, [this] { // the number may be as it was
+    if (const std::optional<Rule> rule = takeTypedRule()) choose(rule);
+  });
 }
 
-/// What was typed as "6 sp" stays a rule, which holds for other scans, too.
-void NumberField::take(double number) {
+std::optional<Rule> NumberField::takeTypedRule() {
   QString text = std::exchange(typed_, QString());
   if (text.endsWith(number_->suffix())) text.chop(number_->suffix().size());
   const std::optional<Rule> rule = ruleIn(text.toStdString());
-  const double exactness = std::pow(10, -number_->decimals());
-  const bool isRule = option().kind == OptionKind::length && rule && !rule->isFixed() &&
-                      std::abs(rule->value(scale()) - number) <= exactness;
-  choose(isRule ? *rule : fixedAt(number));
+  if (option().kind != OptionKind::length || !rule || rule->isFixed()) return std::nullopt;
+  const double exactness = std::pow(10, -number_->decimals()); // else it is out of range
+  const bool isTaken = std::abs(rule->value(scale()) - number_->value()) <= exactness;
+  return isTaken ? rule : std::nullopt;
 }
 
 /// A double click takes the whole number, not the digits on one side of its point.

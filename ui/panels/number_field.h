@@ -25,7 +25,8 @@ public:
 private:
   void showScale(const QString& unit) override;
   void showValue() override;
-  void take(double number);
+  /// What was typed as "6 sp": it stays a rule, which holds for other scans, too. Once.
+  [[nodiscard]] std::optional<Rule> takeTypedRule();
   [[nodiscard]] double placeOf(double value) const; // on the slider, in [0, 1]
   [[nodiscard]] double valueAt(double place) const;
 

@@ -90,6 +90,11 @@ TEST(OptionField, OfANumberFollowsTheScaleOfThePlant) {
   QTest::keyClick(&number, Qt::Key_Return);
   EXPECT_EQ(number.value(), 2);
   EXPECT_EQ(form.field->chosen(), spacings(4)) << "as it was typed";
+  form.field->choose(fixedAt(2));
+  number.selectAll();
+  QTest::keyClicks(&number, "4 sp");
+  QTest::keyClick(&number, Qt::Key_Return);
+  EXPECT_EQ(form.field->chosen(), spacings(4)) << "though the number is as it was";
   number.selectAll();
   QTest::keyClicks(&number, "2.5");
   QTest::keyClick(&number, Qt::Key_Return);

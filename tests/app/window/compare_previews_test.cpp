@@ -168,6 +168,30 @@ TEST_F(PreviewTest, SweepsOptionsOfTheMethodsThatAreShown) {
   EXPECT_FALSE(find<SweepStrip>("sweep_strip").cards().empty());
 }
 
+TEST_F(PreviewTest, SweepsTheMethodsOfAStepAndTakesOne) {
+  key(Qt::Key_F7, Qt::ShiftModifier);
+  auto& option = find<QComboBox>("sweep_option");
+  option.setCurrentIndex(option.findData("prune.method"));
+  ASSERT_EQ(option.currentText(), "Prune: Method");
+  EXPECT_FALSE(find<QDoubleSpinBox>("sweep_from").isEnabled()) << "all methods are tried";
+  clickButton("sweep_run");
+  auto& strip = find<SweepStrip>("sweep_strip");
+  ASSERT_EQ(strip.cards().size(), stepNamed("prune").methods.size());
+  EXPECT_TRUE(strip.cards()[0]->item().isCurrent);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        return std::ranges::none_of(strip.cards(),
+                                    [](const SweepCard* card) { return card->item().isPending; });
+      },
+      patience));
+  QTest::keyClick(strip.cards()[1], Qt::Key_Return);
+  EXPECT_EQ(panel().options().methods.at("prune"), stepNamed("prune").methods[1].name);
+  EXPECT_TRUE(strip.cards()[1]->item().isCurrent);
+  panel().setOptions({}); // as Escape does that drops a preview
+  EXPECT_TRUE(strip.cards()[0]->item().isCurrent);
+  EXPECT_FALSE(strip.cards()[1]->item().isCurrent);
+}
+
 TEST_F(PreviewTest, SweepsWithTheDefaultInTheMiddle) {
   key(Qt::Key_F7, Qt::ShiftModifier);
   find<QSpinBox>("sweep_count").setValue(3);

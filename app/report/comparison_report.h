@@ -43,10 +43,9 @@ struct ReportAbout {
   bool turns = true;     // turns were looked for
   UpAxis up = UpAxis::z; // all angles about it
   EditOptions edit;
-  std::optional<PipelineOptions> made =
-      {};                                 // what the result was reconstructed with; none: not known
-  std::vector<ChoiceRecord> choices = {}; // of options
-  std::optional<HandWork> handWork;       // none: the result has no history
+  std::optional<PipelineOptions> made = {}; // of the result; none: not known
+  std::vector<ChoiceRecord> choices = {};   // of options
+  std::optional<HandWork> handWork;         // none: the result has no history
 };
 
 /// The report of a comparison. Deterministic: it reads no clock.

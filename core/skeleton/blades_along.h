@@ -19,7 +19,7 @@ struct PointOffWood {
 /// Of connected points that are off all wood, those that are no blade along an axis, nor half of
 /// one. A blade is in one layer with the axis, has no gap to it along most of them, and reaches at
 /// least twice as far along it as off it; what of the points is over twice as far off it as it is
-/// wide is no blade, as another leaf that hangs on its margin. Chosen on plants 0 to 41 of
+/// wide is no blade, as another leaf that touches its margin. Chosen on plants 0 to 41 of
 /// scannedPlant() (tests/bench/finding_table.cpp, --found): of herbs with large blades, a fifth as
 /// many bare twigs are left, and all that are wood; of bare plants, all.
 /// @param spacing between neighboring points [L], > 0

@@ -14,8 +14,14 @@
 
 namespace espalier {
 
+namespace {
+
+constexpr int firstRow = 1; // of the groups, below the leading scores
+
+} // namespace
+
 struct EvaluationScores::Place {
-  int row = 0;
+  int row = firstRow;
   int column = 0;
 };
 
@@ -73,14 +79,13 @@ void EvaluationScores::addScores(QGridLayout& grid) {
   int rows = 0;
   for (const auto& [title, count] : rowsOf)
     rows += count;
-  constexpr int first = 1; // below the leading ones
-  Place place{.row = first};
+  Place place;
   QString group;
   for (const Score* score : shown) {
     if (const QString title = titleOf(score->group); title != group) {
-      const bool isHalf =
-          2 * (place.row - first) + rowsOf[title] >= rows; // with half of this group
-      if (place.column == 0 && isHalf) place = {.row = first, .column = 1};
+      const int above = place.row - firstRow;
+      const bool isHalf = 2 * above + rowsOf[title] >= rows; // with half of this group
+      if (place.column == 0 && isHalf) place = {.row = firstRow, .column = 1};
       addGroup(grid, place, group = title);
     }
     values_[score->key] = addValue(grid, place, titled(symbolOf(*score)), tipOf(*score),
@@ -99,7 +104,7 @@ void EvaluationScores::addScores(QGridLayout& grid) {
 void EvaluationScores::addGroup(QGridLayout& grid, Place& place, const QString& name) {
   auto* label = makeLabel("", "quiet");
   label->setText(name);
-  if (place.row > 1) label->setContentsMargins(0, 8, 0, 0);
+  if (place.row > firstRow) label->setContentsMargins(0, 8, 0, 0);
   grid.addWidget(label, place.row++, 2 * place.column, 1, 2);
 }
 

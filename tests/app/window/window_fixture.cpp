@@ -50,6 +50,8 @@ WindowTest::~WindowTest() = default;
 
 void WindowTest::restart() {
   window_.reset();
+  // As the program starts: a sheet would be matched with each part again wherever that is put.
+  static_cast<QApplication*>(QCoreApplication::instance())->setStyleSheet({});
   window_ = std::make_unique<MainWindow>(*settings_);
   window_->resize(1280, 800);
   window_->show();

@@ -6502,6 +6502,13 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     </message>
 </context>
 <context>
+    <name>espalier::NumberField</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+</context>
+<context>
     <name>espalier::OptionField</name>
     <message>
         <source>Back to the default</source>
@@ -6510,6 +6517,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>&lt;qt&gt;%1&lt;br&gt;Default: %2&lt;/qt&gt;</source>
         <translation>&lt;qt&gt;%1&lt;br&gt;Par défaut&#xa0;: %2&lt;/qt&gt;</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -7326,6 +7337,14 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>Find the scan of this project</source>
         <translation>Trouver le scan de ce projet</translation>
+    </message>
+    <message>
+        <source>Your work is kept: %1</source>
+        <translation>Votre travail est conservé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Go Back to It</source>
+        <translation>Y revenir</translation>
     </message>
 </context>
 <context>

@@ -93,6 +93,18 @@ std::optional<Rule> NumberField::takeTypedRule() {
   return isTaken ? rule : std::nullopt;
 }
 
+std::optional<QString> NumberField::allowed() const {
+  if (isAllowed(value())) return std::nullopt;
+  const auto [minimum, maximum] = option().range(scale());
+  return tr("%1 to %2").arg(number_->textFromValue(minimum),
+                            number_->textFromValue(maximum) + number_->suffix());
+}
+
+bool NumberField::isAllowed(double value) const {
+  const auto [minimum, maximum] = option().range(scale());
+  return minimum <= value && value <= maximum;
+}
+
 /// A double click takes the whole number, not the digits on one side of its point.
 bool NumberField::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::MouseButtonDblClick) return OptionField::eventFilter(watched, event);
@@ -131,6 +143,11 @@ double NumberField::valueAt(double place) const {
 void NumberField::showValue() {
   const QSignalBlocker quietSlider(slider_);
   const QSignalBlocker quietNumber(number_);
+  const auto [minimum, maximum] = option().range(scale());
+  if (isAllowed(value())) // what is not is shown, too
+    setRangeWithin(*number_, minimum, maximum);
+  else
+    number_->setRange(std::min(minimum, value()), std::max(maximum, value()));
   slider_->setPlace(std::clamp(placeOf(value()), 0.0, 1.0));
   number_->setValue(value());
 }

@@ -1,6 +1,7 @@
 #include "ui/panels/option_field.h"
 
 #include "ui/document/shown_text.h"
+#include "ui/panels/label_role.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/word_fields.h"
 
@@ -8,8 +9,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
-
-#include <algorithm>
 
 namespace espalier {
 
@@ -49,9 +48,6 @@ void OptionField::addHead(QGridLayout& grid, int row, QWidget& text) const {
 
 void OptionField::setScale(const PlantScale& scale, const QString& unit) {
   scale_ = scale;
-  const auto [minimum, maximum] = option_.range(scale_);
-  if (chosen_ && (value() < minimum || value() > maximum))
-    chosen_ = fixedAt(std::clamp(value(), minimum, maximum));
   label_->setToolTip(help());
   showScale(unit);
   show();
@@ -71,6 +67,10 @@ QString OptionField::help() const {
 
 void OptionField::show() {
   showValue();
+  const std::optional<QString> needed = allowed();
+  const QString name = shownText(option_.label);
+  label_->setText(needed ? tr("%1: %2").arg(name, *needed) : name);
+  setRole(*label_, needed ? "warning" : "");
   reset_->setVisible(chosen_.has_value());
 }
 

@@ -23,7 +23,8 @@ public:
   /// has two columns. Owned by `parent`.
   [[nodiscard]] static OptionField* make(const Option& option, QGridLayout& grid, QWidget& parent);
 
-  /// What the default and the range are, for this plant.
+  /// What the default and the range are, for this plant. What was chosen stays, and is marked where
+  /// it is out of the range.
   void setScale(const PlantScale& scale, const QString& unit);
 
   /// What the user chose; none while it is the default.
@@ -49,6 +50,8 @@ protected:
 
   virtual void showScale(const QString& unit) = 0; // range and tips
   virtual void showValue() = 0;
+  /// What it may stand at, where it stands at something else: as "0.01 to 0.3 m".
+  [[nodiscard]] virtual std::optional<QString> allowed() const { return std::nullopt; }
 
 private:
   void show();

@@ -233,12 +233,17 @@ void ProjectFlow::setScanReference(const std::optional<ScanReference>& scan) {
 
 void ProjectFlow::offerSessions() {
   const QList<Session> waiting = sessions_.waiting();
+  const QString left = std::exchange(left_, {});
   emit sessionsChanged();
   const PlantDocument& document = parts_.document;
   const bool isAny = document.isEmpty() && !isWithoutPositions(document.structure());
   const auto found = std::ranges::find_if(
       waiting, [&](const Session& session) { return isAny || isOfThePlant(session); });
-  if (found == waiting.end()) return;
+  if (found == waiting.end()) {
+    const auto before = std::ranges::find(waiting, left, &Session::path);
+    if (before != waiting.end()) offerToGoBack(*before);
+    return;
+  }
   const QString path = found->path;
   const QString text = isAny ? tr("Continue with %1") : tr("Work on this plant was kept: %1");
   emit reported({.text = text.arg(describe(*found, QDateTime::currentDateTime())),
@@ -247,6 +252,12 @@ void ProjectFlow::offerSessions() {
                                 Sessions::remove(path);
                                 offerSessions();
                               }}}});
+}
+
+void ProjectFlow::offerToGoBack(const Session& session) {
+  emit reported(
+      {.text = tr("Your work is kept: %1").arg(describe(session, QDateTime::currentDateTime())),
+       .actions = {{tr("Go Back to It"), [this, path = session.path] { emit chosen(path); }}}});
 }
 
 bool ProjectFlow::isOfThePlant(const Session& session) const {
@@ -331,7 +342,11 @@ void ProjectFlow::take(std::unique_ptr<Project> project) {
 void ProjectFlow::release(bool isSessionKept) {
   const bool isSession = recorder_.project() != nullptr && !isNamed();
   const std::unique_ptr<Project> project = recorder_.stop();
-  if (isSession && !isSessionKept) Sessions::remove(pathOf(*project));
+  if (!isSession) return;
+  if (isSessionKept)
+    left_ = pathOf(*project);
+  else
+    Sessions::remove(pathOf(*project));
 }
 
 void ProjectFlow::startSession() {

@@ -105,7 +105,8 @@ public:
   [[nodiscard]] const std::optional<ScanReference>& scanReference() const { return scan_; }
 
   [[nodiscard]] const Sessions& sessions() const { return sessions_; }
-  /// The newest that waits; if a plant is open, the newest of its scan or structure.
+  /// The newest that waits; if a plant is open, the newest of its scan or structure, or else what
+  /// the plant before it was left with.
   void offerSessions();
 
 signals:
@@ -137,6 +138,7 @@ private:
   void finishKeeping();
   void reportFailure(const QString& message);
   [[nodiscard]] bool isOfThePlant(const Session& session) const;
+  void offerToGoBack(const Session& session);
 
   Parts parts_;
   Sessions sessions_;
@@ -145,6 +147,7 @@ private:
   std::vector<Kept> beside_;
   std::vector<PlantVersion> versions_;
   QTimer prepare_;
+  QString left_; // the session that was left last with work in it, until it is offered
   std::optional<ScanReference> scan_;
   ReadOptions reading_;     // of the scan of the project that was opened
   bool isScanKept_ = false; // in the project, or to be kept in the next one

@@ -97,6 +97,22 @@ TEST_F(ProjectWindowTest, OffersWorkOnAScanWhenThatIsOpenedAgain) {
   EXPECT_EQ(document().skeleton().size(), 1U);
 }
 
+TEST_F(ProjectWindowTest, SaysThatWorkIsKeptWhereAnotherPlantIsOpenedAndGoesBackToIt) {
+  open({writeScan("puu1.xyz")});
+  document().edit("Add", [](SkeletonEditor& editor) { editor.add({.radius = 0.5}); });
+  open({writeScan("puu2.xyz")});
+  EXPECT_TRUE(message().startsWith("Your work is kept: puu1 in ")) << message().toStdString();
+  EXPECT_TRUE(document().skeleton().isEmpty());
+  clickButton("banner_action");
+  waitForJob();
+  EXPECT_EQ(document().skeleton().size(), 1U);
+  EXPECT_TRUE(document().scanPath().endsWith("puu1.xyz"));
+  open({path("puu2.xyz")});
+  EXPECT_TRUE(message().startsWith("Your work is kept: puu1 in ")) << "again, as there is some";
+  open({path("puu2.xyz")});
+  EXPECT_FALSE(window().banner().isVisible()) << "nothing was done to this one";
+}
+
 TEST_F(ProjectWindowTest, HasASessionReadyBeforeTheFirstEdit) {
   open({writeScan("puu1.xyz")});
   ASSERT_TRUE(QTest::qWaitFor([this] { return !sessionFiles().isEmpty(); }, 60'000));

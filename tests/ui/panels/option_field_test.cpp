@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -101,7 +102,32 @@ TEST(OptionField, OfANumberFollowsTheScaleOfThePlant) {
   EXPECT_EQ(form.field->chosen(), fixedAt(2.5));
   form.field->choose(fixedAt(100));
   form.field->setScale({.spacing = 2, .height = 100}, "mm");
-  EXPECT_EQ(form.field->chosen(), fixedAt(20)) << "no farther than the range of this plant";
+  EXPECT_EQ(form.field->chosen(), fixedAt(100)) << "as it was chosen";
+}
+
+TEST(OptionField, OfANumberSaysWhatItMayBeWhereItIsSomethingElse) {
+  Form form({.name = "reach",
+             .label = "Reach",
+             .kind = OptionKind::length,
+             .rule = spacings(4),
+             .minimum = 1,
+             .maximum = 10,
+             .help = "How far."});
+  const auto& label = *form.widget.findChild<QLabel*>();
+  auto& number = *form.widget.findChild<QDoubleSpinBox*>("reach");
+  form.field->choose(fixedAt(15)); // as by settings that are read before a plant is open
+  EXPECT_EQ(label.text(), "Reach: 1.00 to 10.00");
+  EXPECT_EQ(number.value(), 15) << "what a reconstruction would refuse";
+  form.field->setScale({.spacing = 2, .height = 100}, "mm");
+  EXPECT_EQ(label.text(), "Reach") << "right for this plant";
+  EXPECT_EQ(form.field->chosen(), fixedAt(15));
+  EXPECT_EQ(number.maximum(), 20);
+  form.field->choose(fixedAt(0.5));
+  EXPECT_EQ(label.text().simplified(), QString("Reach: 2.00 to 20.00 mm"));
+  EXPECT_EQ(number.value(), 0.5);
+  number.setValue(3);
+  EXPECT_EQ(label.text(), "Reach");
+  EXPECT_EQ(number.minimum(), 2);
 }
 
 // A field rounds the ends of its range, too: 60 spacings of 0.00491303 would be 0.2948.

@@ -34,7 +34,7 @@ void addGuess(const std::string& key, const GlanceGuess& guess, Json& json) {
 
 Json scanInfo(const PointGlance& glance) {
   Json json;
-  if (!glance.version.empty()) json["version"] = glance.version;
+  if (!glance.version.sentence.empty()) json["version"] = inEnglish(glance.version);
   json["compressed"] = glance.isCompressed;
   json["points"] = glance.points;
   json["points_estimated"] = glance.arePointsEstimated;
@@ -49,8 +49,8 @@ Json scanInfo(const PointGlance& glance) {
     else
       columns.push_back({{"name", column.name}, {"type", column.type}});
   }
-  for (const std::string& other : glance.leftOut)
-    leftOut.push_back(other);
+  for (const ShownMessage& other : glance.leftOut)
+    leftOut.push_back(inEnglish(other));
   json["columns"] = std::move(columns);
   json["left_out"] = std::move(leftOut);
   addBounds(glance, json);

@@ -15119,6 +15119,66 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <source>What does the step.</source>
         <translation>Ce qui accomplit l’étape.</translation>
     </message>
+    <message>
+        <source>1 image</source>
+        <translation>1 image</translation>
+    </message>
+    <message>
+        <source>%1 images</source>
+        <translation>%1 images</translation>
+    </message>
+    <message>
+        <source>%1, point format %2</source>
+        <translation>%1, format de points %2</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>texte</translation>
+    </message>
+    <message>
+        <source>binary</source>
+        <translation>binaire</translation>
+    </message>
+    <message>
+        <source>binary, big endian</source>
+        <translation>binaire, gros-boutiste</translation>
+    </message>
+    <message>
+        <source>binary, little endian</source>
+        <translation>binaire, petit-boutiste</translation>
+    </message>
+    <message>
+        <source>%1 of element %2</source>
+        <translation>%1 de l’élément %2</translation>
+    </message>
+    <message>
+        <source>grid of %1 x %2</source>
+        <translation>grille de %1 × %2</translation>
+    </message>
+    <message>
+        <source>grid of %1 x %2 and others</source>
+        <translation>grille de %1 × %2, et d’autres</translation>
+    </message>
+    <message>
+        <source>parted by commas</source>
+        <translation>séparé par des virgules</translation>
+    </message>
+    <message>
+        <source>parted by semicolons, decimal commas</source>
+        <translation>séparé par des points-virgules, virgules décimales</translation>
+    </message>
+    <message>
+        <source>parted by semicolons</source>
+        <translation>séparé par des points-virgules</translation>
+    </message>
+    <message>
+        <source>parted by blanks, decimal commas</source>
+        <translation>séparé par des blancs, virgules décimales</translation>
+    </message>
+    <message>
+        <source>parted by blanks</source>
+        <translation>séparé par des blancs</translation>
+    </message>
 </context>
 <context>
     <name>espalier::ShownFlow</name>

@@ -4,6 +4,7 @@
 #include "ui/dialogs/count_box.h"
 #include "ui/dialogs/part_form.h"
 #include "ui/document/manual_place.h"
+#include "ui/document/shown_message.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -104,7 +105,7 @@ QVBoxLayout* ScanDialog::makeHead() {
   name->setToolTip(look_.path);
   head->addWidget(name);
   auto* format = wrappedLabel("scan_format", "quiet");
-  const QString version = QString::fromStdString(look_.glance.version);
+  const QString version = shownText(look_.glance.version);
   const bool isNamed = version.contains(look_.format); // "COPC, LAS 1.4"
   QStringList words = isNamed ? QStringList() : QStringList(look_.format);
   if (!version.isEmpty()) words.append(version);

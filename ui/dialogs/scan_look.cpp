@@ -127,8 +127,8 @@ QString columnsText(const PointGlance& glance) {
   QStringList leftOut;
   for (const GlanceColumn& column : glance.columns)
     (column.isTaken ? taken : leftOut).append(QString::fromStdString(column.name));
-  for (const std::string& other : glance.leftOut)
-    leftOut.append(QString::fromStdString(other));
+  for (const ShownMessage& other : glance.leftOut)
+    leftOut.append(shownText(other));
   const QString text = taken.join(QStringLiteral(", "));
   return leftOut.isEmpty()
              ? text

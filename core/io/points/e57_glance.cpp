@@ -53,7 +53,7 @@ PointGlance glanceAtE57(ByteSource& source, const std::string& file) {
   const XmlFile xml(e57XmlOf(source, file), file + ", XML", "e57Root");
   const auto scans = e57ScansOf(xml).value;
   PointGlance glance;
-  glance.version = "1." + std::to_string(header.minorVersion);
+  glance.version = {"%1", {"1." + std::to_string(header.minorVersion)}};
   glance.stations = scans.size();
   bool areBounded = !scans.empty();
   std::size_t i = 0;
@@ -74,7 +74,10 @@ PointGlance glanceAtE57(ByteSource& source, const std::string& file) {
   if (!areBounded) glance.bounds.setEmpty();
   const pugi::xml_node images = xml.root().child("images2D");
   const auto pictures = std::distance(images.begin(), images.end());
-  if (pictures > 0) glance.leftOut.push_back(std::to_string(pictures) + " images");
+  if (pictures == 1)
+    glance.leftOut.push_back({Shown::tr("1 image")});
+  else if (pictures > 1)
+    glance.leftOut.push_back({Shown::tr("%1 images"), {std::to_string(pictures)}});
   glance.unit = {"m", {Shown::tr("E57 is in meters")}, true};
   glance.up = {"z", {Shown::tr("E57 has z up")}, true};
   return glance;

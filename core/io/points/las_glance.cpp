@@ -86,9 +86,10 @@ PointGlance glanceAtLas(ByteSource& source, const std::string& file) {
   PointGlance glance;
   glance.isCompressed = isLaz(head);
   const bool isCopc = !lasRecord(head, header, "copc", 1).empty();
-  glance.version = std::string(isCopc ? "COPC, LAS " : "LAS ") + "1." +
-                   std::to_string(header.minorVersion) + ", point format " +
-                   std::to_string(header.format);
+  glance.version = {
+      Shown::tr("%1, point format %2"),
+      {std::string(isCopc ? "COPC, LAS " : "LAS ") + "1." + std::to_string(header.minorVersion),
+       std::to_string(header.format)}};
   glance.points = header.count;
   glance.columns = columnsOfLas(header);
   if (header.count > 0) glance.bounds = boundsOfLas(head);

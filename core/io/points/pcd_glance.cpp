@@ -57,7 +57,7 @@ void samplePcd(ByteSource& source, const PcdHeader& header, const std::array<Pcd
 PointGlance glanceAtPcd(ByteSource& source, const std::string& file) {
   const PcdHeader header = readPcdHeader(source.read(0, longestPcdHeader), file);
   PointGlance glance;
-  glance.version = header.data == PcdData::ascii ? "text" : "binary";
+  glance.version = {header.data == PcdData::ascii ? Shown::tr("text") : Shown::tr("binary")};
   glance.isCompressed = header.data == PcdData::compressed;
   glance.points = header.points;
   std::array<PcdPlace, 3> places;

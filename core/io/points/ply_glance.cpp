@@ -92,15 +92,15 @@ PointGlance glanceAtPly(ByteSource& source, const std::string& file) {
   if (vertices == header.elements.end())
     throw ShownError({Shown::tr("has no element 'vertex', so no points"), {}, FilePlace{file}});
   PointGlance glance;
-  glance.version = header.isAscii                     ? "text"
-                   : header.order == std::endian::big ? "binary, big endian"
-                                                      : "binary, little endian";
+  glance.version = {header.isAscii                     ? Shown::tr("text")
+                    : header.order == std::endian::big ? Shown::tr("binary, big endian")
+                                                       : Shown::tr("binary, little endian")};
   glance.points = vertices->count;
   glance.columns = columnsOf(*vertices);
   for (const PlyElement& element : header.elements)
     if (&element != &*vertices && element.count > 0)
-      glance.leftOut.push_back(std::to_string(element.count) + " of element " +
-                               inQuotes(element.name));
+      glance.leftOut.push_back(
+          {Shown::tr("%1 of element %2"), {std::to_string(element.count), inQuotes(element.name)}});
   samplePly(source, header, *vertices, glance);
   return glance;
 }

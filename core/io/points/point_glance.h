@@ -27,16 +27,16 @@ struct GlanceGuess {
 
 /// What a file of points holds, found out without reading it all.
 struct PointGlance {
-  std::string version; // of the format and how it is written: "1.4, point format 7"
+  ShownMessage version; // of the format and how it is written: "1.4, point format 7"
   bool isCompressed = false;
   std::uint64_t points = 0; // listed in the file
   bool arePointsEstimated = false;
   std::vector<GlanceColumn> columns;
-  std::vector<std::string> leftOut; // what else the file has: "12 faces"
-  Eigen::AlignedBox3d bounds;       // [L], frame of the file; empty: not known
-  bool areBoundsOfSample = false;   // so that the points may reach a little farther
-  std::uint64_t stations = 1;       // 0: not known
-  bool isReadWhole = false;         // nothing less shows it
+  std::vector<ShownMessage> leftOut; // what else the file has: "12 images"
+  Eigen::AlignedBox3d bounds;        // [L], frame of the file; empty: not known
+  bool areBoundsOfSample = false;    // so that the points may reach a little farther
+  std::uint64_t stations = 1;        // 0: not known
+  bool isReadWhole = false;          // nothing less shows it
   GlanceGuess unit;
   GlanceGuess up;
   std::vector<Eigen::Vector3d> sample; // places of some points from all parts of the file [L]

@@ -62,8 +62,9 @@ PointGlance glanceAtPtx(ByteSource& source, const std::string& file) {
   const double block = header[0].front() * header[1].front();
   const std::uint64_t listed = sampled.linesIn(source.size() - lines.offset());
   const bool isOneBlock = headers == 0 && static_cast<double>(listed) < 1.02 * block + 1;
-  glance.version = "grid of " + plainDecimal(header[0].front()) + " x " +
-                   plainDecimal(header[1].front()) + (isOneBlock ? "" : " and others");
+  glance.version = {isOneBlock ? Shown::tr("grid of %1 x %2")
+                               : Shown::tr("grid of %1 x %2 and others"),
+                    {plainDecimal(header[0].front()), plainDecimal(header[1].front())}};
   glance.points = isOneBlock ? static_cast<std::uint64_t>(block) : listed;
   if (!isOneBlock && sampled.isAll) glance.points -= std::min(glance.points, 8 * (headers / 2));
   glance.arePointsEstimated = !isOneBlock && !sampled.isAll;

@@ -10,11 +10,14 @@
 namespace espalier {
 namespace {
 
-std::string separatorName(const XyzLayout& layout) {
-  std::string name = layout.separator == ','   ? "parted by commas"
-                     : layout.separator == ';' ? "parted by semicolons"
-                                               : "parted by blanks";
-  return layout.hasDecimalComma ? name + ", decimal commas" : name;
+/// How its fields are parted. (Where commas part them, none is a decimal one.)
+const char* separatorText(const XyzLayout& layout) {
+  if (layout.separator == ',') return Shown::tr("parted by commas");
+  if (layout.separator == ';')
+    return layout.hasDecimalComma ? Shown::tr("parted by semicolons, decimal commas")
+                                  : Shown::tr("parted by semicolons");
+  return layout.hasDecimalComma ? Shown::tr("parted by blanks, decimal commas")
+                                : Shown::tr("parted by blanks");
 }
 
 } // namespace
@@ -26,7 +29,7 @@ PointGlance glanceAtXyz(ByteSource& source, const std::string& file,
     throw ShownError(
         {Shown::tr("holds no points, a line each of at least 3 numbers"), {}, FilePlace{file}});
   PointGlance glance;
-  glance.version = separatorName(layout);
+  glance.version = {separatorText(layout)};
   for (std::size_t i = 0; i < layout.columns.size(); ++i) {
     const PointField field = layout.columns[i];
     const bool isTaken = field != PointField::none;

@@ -152,6 +152,7 @@ struct Pipeline::Kept {
     Eigen::Index root = 0;
     for (const Step* step : steps) {
       const Progress part = shares.next(*step);
+      part.update(0); // the step whose values may be out of range
       chain.choices.push_back(askedOf(*step, options, now.scale, root));
       const ChosenStep& choice = chain.choices.back().choice;
       const PipelineState* known = states[chain.choices.size() - 1].find(chain);

@@ -25,17 +25,16 @@ int decimalsFor(const Option& option, double size) {
   return std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
 }
 
-/// Sets the range of the field to those of its values that are in this one: a field rounds the ends
-/// of its range as it does its value.
-void setRangeWithin(QDoubleSpinBox& number, double minimum, double maximum) {
+/// The values of the field that are in the range of the option: a field rounds the ends of its
+/// range as it does its value.
+std::pair<double, double> rangeWithin(const QDoubleSpinBox& number, const Option& option,
+                                      const PlantScale& scale) {
+  const auto [minimum, maximum] = option.range(scale);
   const double unit = std::pow(10, -number.decimals());
   const double slack = 1e-6; // of a digit: ends that are values stay
   const double least = std::ceil(minimum / unit - slack) * unit;
   const double most = std::floor(maximum / unit + slack) * unit;
-  if (least <= most)
-    number.setRange(least, most);
-  else
-    number.setRange(minimum, maximum);
+  return least <= most ? std::pair(least, most) : std::pair(minimum, maximum);
 }
 
 } // namespace
@@ -48,7 +47,8 @@ void dress(QDoubleSpinBox& number, const Option& option, const PlantScale& scale
                          : option.kind == OptionKind::length ? unit
                                                              : QString();
   number.setDecimals(decimalsFor(option, standard > 0 ? standard : maximum / 100));
-  setRangeWithin(number, minimum, maximum);
+  const auto [least, most] = rangeWithin(number, option, scale);
+  number.setRange(least, most);
   number.setSuffix(suffix.isEmpty() || suffix == "°" ? suffix : QChar(0x202f) + suffix);
   number.setSingleStep(option.kind == OptionKind::count ? 1 : std::max(standard, minimum) / 10);
 }
@@ -95,9 +95,9 @@ std::optional<Rule> NumberField::takeTypedRule() {
 
 std::optional<QString> NumberField::allowed() const {
   if (isAllowed(value())) return std::nullopt;
-  const auto [minimum, maximum] = option().range(scale());
-  return tr("%1 to %2").arg(number_->textFromValue(minimum),
-                            number_->textFromValue(maximum) + number_->suffix());
+  const auto [least, most] = rangeWithin(*number_, option(), scale());
+  return tr("%1 to %2")
+      .arg(number_->textFromValue(least), number_->textFromValue(most) + number_->suffix());
 }
 
 bool NumberField::isAllowed(double value) const {
@@ -143,11 +143,11 @@ double NumberField::valueAt(double place) const {
 void NumberField::showValue() {
   const QSignalBlocker quietSlider(slider_);
   const QSignalBlocker quietNumber(number_);
-  const auto [minimum, maximum] = option().range(scale());
-  if (isAllowed(value())) // what is not is shown, too
-    setRangeWithin(*number_, minimum, maximum);
-  else
-    number_->setRange(std::min(minimum, value()), std::max(maximum, value()));
+  const auto [least, most] = rangeWithin(*number_, option(), scale());
+  if (isAllowed(value()))
+    number_->setRange(least, most);
+  else // is shown, too
+    number_->setRange(std::min(least, value()), std::max(most, value()));
   slider_->setPlace(std::clamp(placeOf(value()), 0.0, 1.0));
   number_->setValue(value());
 }

@@ -131,6 +131,15 @@ TEST(Pipeline, RefusesOptionsItDoesNotKnowAndValuesOutOfRange) {
   EXPECT_THROW(runWith("skeleton.method=magic"), Error);
 }
 
+TEST(Pipeline, ReportsTheStepOfAValueThatIsOutOfRange) {
+  PipelineOptions options;
+  options.set("contract.radius=1e6");
+  std::string stage;
+  const Progress progress({}, [&](double, std::string_view name) { stage = name; });
+  EXPECT_THROW((void)Pipeline().run(cloudOf(test::forkCloud()), options, progress), Error);
+  EXPECT_EQ(stage, stepNamed("contract").label);
+}
+
 TEST(Pipeline, StopsWhenAsked) {
   const auto cloud = cloudOf(test::forkCloud());
   EXPECT_TRUE(test::stopsWhenAsked(

@@ -94,15 +94,15 @@ std::optional<Rule> NumberField::takeTypedRule() {
 }
 
 std::optional<QString> NumberField::allowed() const {
-  if (isAllowed(value())) return std::nullopt;
+  if (isAllowed()) return std::nullopt;
   const auto [least, most] = rangeWithin(*number_, option(), scale());
   return tr("%1 to %2")
       .arg(number_->textFromValue(least), number_->textFromValue(most) + number_->suffix());
 }
 
-bool NumberField::isAllowed(double value) const {
+bool NumberField::isAllowed() const {
   const auto [minimum, maximum] = option().range(scale());
-  return minimum <= value && value <= maximum;
+  return minimum <= value() && value() <= maximum;
 }
 
 /// A double click takes the whole number, not the digits on one side of its point.
@@ -144,7 +144,7 @@ void NumberField::showValue() {
   const QSignalBlocker quietSlider(slider_);
   const QSignalBlocker quietNumber(number_);
   const auto [least, most] = rangeWithin(*number_, option(), scale());
-  if (isAllowed(value()))
+  if (isAllowed())
     number_->setRange(least, most);
   else // is shown, too
     number_->setRange(std::min(least, value()), std::max(most, value()));

@@ -26,7 +26,7 @@ private:
   void showScale(const QString& unit) override;
   void showValue() override;
   [[nodiscard]] std::optional<QString> allowed() const override;
-  [[nodiscard]] bool isAllowed(double value) const;
+  [[nodiscard]] bool isAllowed() const;
   /// What was typed as "6 sp": it stays a rule, which holds for other scans, too. Once.
   [[nodiscard]] std::optional<Rule> takeTypedRule();
   [[nodiscard]] double placeOf(double value) const; // on the slider, in [0, 1]

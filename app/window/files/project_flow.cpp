@@ -233,17 +233,12 @@ void ProjectFlow::setScanReference(const std::optional<ScanReference>& scan) {
 
 void ProjectFlow::offerSessions() {
   const QList<Session> waiting = sessions_.waiting();
-  const QString left = std::exchange(left_, {});
   emit sessionsChanged();
   const PlantDocument& document = parts_.document;
   const bool isAny = document.isEmpty() && !isWithoutPositions(document.structure());
   const auto found = std::ranges::find_if(
       waiting, [&](const Session& session) { return isAny || isOfThePlant(session); });
-  if (found == waiting.end()) {
-    const auto before = std::ranges::find(waiting, left, &Session::path);
-    if (before != waiting.end()) offerToGoBack(*before);
-    return;
-  }
+  if (found == waiting.end()) return offerToGoBack();
   const QString path = found->path;
   const QString text = isAny ? tr("Continue with %1") : tr("Work on this plant was kept: %1");
   emit reported({.text = text.arg(describe(*found, QDateTime::currentDateTime())),
@@ -254,10 +249,13 @@ void ProjectFlow::offerSessions() {
                               }}}});
 }
 
-void ProjectFlow::offerToGoBack(const Session& session) {
+void ProjectFlow::offerToGoBack() {
+  const QList<Session> waiting = sessions_.waiting();
+  const auto left = std::ranges::find(waiting, std::exchange(left_, {}), &Session::path);
+  if (left == waiting.end()) return;
   emit reported(
-      {.text = tr("Your work is kept: %1").arg(describe(session, QDateTime::currentDateTime())),
-       .actions = {{tr("Go Back to It"), [this, path = session.path] { emit chosen(path); }}}});
+      {.text = tr("Your work is kept: %1").arg(describe(*left, QDateTime::currentDateTime())),
+       .actions = {{tr("Go Back to It"), [this, path = left->path] { emit chosen(path); }}}});
 }
 
 bool ProjectFlow::isOfThePlant(const Session& session) const {
@@ -316,6 +314,7 @@ void ProjectFlow::show(LoadedProject loaded, As as) {
          .isError = true,
          .actions = {{tr("Find Scan…"), [this] { askForScan(); }}}});
   if (!loaded.notes.isEmpty()) reportFailure(loaded.notes.join('\n'));
+  if (!isScanMissing && loaded.notes.isEmpty()) offerToGoBack();
 }
 
 void ProjectFlow::showBeside(const Project& project, QStringList& notes) {

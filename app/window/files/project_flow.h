@@ -138,7 +138,7 @@ private:
   void finishKeeping();
   void reportFailure(const QString& message);
   [[nodiscard]] bool isOfThePlant(const Session& session) const;
-  void offerToGoBack(const Session& session);
+  void offerToGoBack(); // to what was left last, if it is kept
 
   Parts parts_;
   Sessions sessions_;

@@ -113,6 +113,17 @@ TEST_F(ProjectWindowTest, SaysThatWorkIsKeptWhereAnotherPlantIsOpenedAndGoesBack
   EXPECT_FALSE(window().banner().isVisible()) << "nothing was done to this one";
 }
 
+TEST_F(ProjectWindowTest, SaysThatWorkIsKeptWhereAProjectIsOpened) {
+  open({writeScan("puu1.xyz")});
+  document().edit("Add", [](SkeletonEditor& editor) { editor.add({.radius = 0.5}); });
+  saveProject("named.espalier");
+  open({writeScan("puu2.xyz")});
+  EXPECT_FALSE(window().banner().isVisible()) << "a project has a name";
+  document().edit("Add", [](SkeletonEditor& editor) { editor.add({.radius = 0.5}); });
+  open({path("named.espalier")});
+  EXPECT_TRUE(message().startsWith("Your work is kept: puu2 in ")) << message().toStdString();
+}
+
 TEST_F(ProjectWindowTest, HasASessionReadyBeforeTheFirstEdit) {
   open({writeScan("puu1.xyz")});
   ASSERT_TRUE(QTest::qWaitFor([this] { return !sessionFiles().isEmpty(); }, 60'000));

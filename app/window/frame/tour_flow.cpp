@@ -37,7 +37,10 @@ TourFlow::TourFlow(const Parts& parts) : parts_(parts), hint_(new TourHint(&part
   const auto goOnWithSkeleton = [this] {
     if (step_ == 1 && !parts_.document.skeleton().isEmpty()) goTo(2);
   };
-  connect(&parts_.document, &PlantDocument::skeletonReplaced, this, goOnWithSkeleton);
+  connect(&parts_.document, &PlantDocument::skeletonReplaced, this, [this, goOnWithSkeleton] {
+    if (step_ > 1 && parts_.document.skeleton().isEmpty()) return goTo(1); // of another plant
+    goOnWithSkeleton();
+  });
   connect(&parts_.document, &PlantDocument::skeletonEdited, this, goOnWithSkeleton);
   for (const char* id : {"ask_doubts", "next_finding"})
     connect(actions[id], &QAction::triggered, this, [this] {

@@ -53,6 +53,17 @@ TEST_F(TourTest, GoesOnWithWhatOneDoesAndEnds) {
   EXPECT_FALSE(hint().isVisible());
 }
 
+TEST_F(TourTest, BeginsAgainWithAnotherPlant) {
+  open({writeScan("scan.xyz")});
+  action("tour").trigger();
+  action("reconstruct").trigger();
+  waitForJob();
+  ASSERT_TRUE(hint().text().contains("F2")) << hint().text().toStdString();
+  open({writeScan("other.xyz")});
+  EXPECT_TRUE(hint().isVisible());
+  EXPECT_TRUE(hint().text().contains("Ctrl+R")) << hint().text().toStdString();
+}
+
 TEST_F(TourTest, GoesOnByItsButtonAndIsLeftByEscape) {
   open({writeScan("scan.xyz")});
   action("tour").trigger();

@@ -13,10 +13,29 @@ namespace espalier {
 namespace {
 
 /// With a few digits, for a message.
-std::string shortDecimal(double value) {
+std::string shortDecimal(double value, int digits = 6) {
   std::ostringstream text;
+  text.precision(digits);
   text << value;
   return text.str();
+}
+
+/// Of three, for the ends of a range in a message, which are rounded into it so that they can be
+/// typed.
+double lastDigit(double end) {
+  return end == 0 ? 1 : std::pow(10, std::floor(std::log10(std::abs(end))) - 2);
+}
+
+constexpr double slack = 1e-6; // of a digit: ends of few digits stay as they are
+
+std::string shortLeast(double least) {
+  const double digit = lastDigit(least);
+  return shortDecimal(std::ceil(least / digit - slack) * digit);
+}
+
+std::string shortMost(double most) {
+  const double digit = lastDigit(most);
+  return shortDecimal(std::floor(most / digit + slack) * digit);
 }
 
 /// What is said of a value of a number that is out of range.
@@ -37,8 +56,8 @@ double checkedValue(const Step& step, const Option& option, double value, const 
     throw ShownError({Shown::tr("%1 takes no %2: choose one of %3"),
                       {name, shortDecimal(value), option.words()}});
   throw ShownError({outOfRangeText(option.kind),
-                    {name, shortDecimal(value), shortDecimal(least), shortDecimal(most),
-                     shortDecimal(scale.spacing)}});
+                    {name, shortDecimal(value), shortLeast(least), shortMost(most),
+                     shortDecimal(scale.spacing, 3)}});
 }
 
 /// The option of that name of the method that is chosen, or else of another of the step. (Those of

@@ -6507,6 +6507,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <source>%1 to %2</source>
         <translation>%1 à %2</translation>
     </message>
+    <message>
+        <source>a whole number, %1 to %2</source>
+        <translation>un nombre entier, de %1 à %2</translation>
+    </message>
 </context>
 <context>
     <name>espalier::OptionField</name>
@@ -7226,6 +7230,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>Preview   {reconstruct} make it the skeleton   {leave} drop it   {keep_as_a} keep as A</source>
         <translation>Aperçu   {reconstruct} en faire le squelette   {leave} l’abandonner   {keep_as_a} garder comme A</translation>
+    </message>
+    <message>
+        <source>%1 · in the circle</source>
+        <translation>%1 · dans le cercle</translation>
     </message>
 </context>
 <context>

@@ -94,15 +94,22 @@ std::optional<Rule> NumberField::takeTypedRule() {
 }
 
 std::optional<QString> NumberField::allowed() const {
-  if (isAllowed()) return std::nullopt;
+  if (isInRange() && !isBrokenCount()) return std::nullopt;
   const auto [least, most] = rangeWithin(*number_, option(), scale());
+  if (isBrokenCount())
+    return tr("a whole number, %1 to %2")
+        .arg(number_->locale().toString(least, 'f', 0), number_->locale().toString(most, 'f', 0));
   return tr("%1 to %2")
       .arg(number_->textFromValue(least), number_->textFromValue(most) + number_->suffix());
 }
 
-bool NumberField::isAllowed() const {
+bool NumberField::isInRange() const {
   const auto [minimum, maximum] = option().range(scale());
   return minimum <= value() && value() <= maximum;
+}
+
+bool NumberField::isBrokenCount() const {
+  return option().kind == OptionKind::count && value() != std::round(value());
 }
 
 /// A double click takes the whole number, not the digits on one side of its point.
@@ -143,8 +150,9 @@ double NumberField::valueAt(double place) const {
 void NumberField::showValue() {
   const QSignalBlocker quietSlider(slider_);
   const QSignalBlocker quietNumber(number_);
+  if (option().kind == OptionKind::count) number_->setDecimals(isBrokenCount() ? 2 : 0);
   const auto [least, most] = rangeWithin(*number_, option(), scale());
-  if (isAllowed())
+  if (isInRange())
     number_->setRange(least, most);
   else // is shown, too
     number_->setRange(std::min(least, value()), std::max(most, value()));

@@ -26,7 +26,8 @@ private:
   void showScale(const QString& unit) override;
   void showValue() override;
   [[nodiscard]] std::optional<QString> allowed() const override;
-  [[nodiscard]] bool isAllowed() const;
+  [[nodiscard]] bool isInRange() const;
+  [[nodiscard]] bool isBrokenCount() const; // as settings may give it: 3.5
   /// What was typed as "6 sp": it stays a rule, which holds for other scans, too. Once.
   [[nodiscard]] std::optional<Rule> takeTypedRule();
   [[nodiscard]] double placeOf(double value) const; // on the slider, in [0, 1]

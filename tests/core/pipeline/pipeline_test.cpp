@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
+#include <regex>
+#include <string>
 
 namespace espalier {
 namespace {
@@ -129,6 +132,27 @@ TEST(Pipeline, RefusesOptionsItDoesNotKnowAndValuesOutOfRange) {
   EXPECT_THROW(runWith("contract.circles=1"), Error); // a word is meant
   EXPECT_THROW(runWith("flower.radius=1"), Error);
   EXPECT_THROW(runWith("skeleton.method=magic"), Error);
+}
+
+TEST(Pipeline, NamesARangeInFewDigitsThatCanBeTyped) {
+  const auto cloud = cloudOf(test::forkCloud());
+  PipelineOptions options;
+  options.set("contract.radius=1e6");
+  std::string message;
+  try {
+    (void)Pipeline().run(cloud, options);
+  } catch (const Error& error) {
+    message = error.what();
+  }
+  std::smatch ends;
+  ASSERT_TRUE(std::regex_search(message, ends, std::regex("from ([0-9.e+-]+) to ([0-9.e+-]+) ")))
+      << message;
+  for (const std::string& end : {ends.str(1), ends.str(2)}) {
+    EXPECT_LE(std::ranges::count_if(end, [](unsigned char c) { return std::isdigit(c) != 0; }), 6)
+        << "three that count, and zeros: " << message;
+    options.set("contract.radius=" + end);
+    EXPECT_NO_THROW((void)Pipeline().run(cloud, options)) << end;
+  }
 }
 
 TEST(Pipeline, ReportsTheStepOfAValueThatIsOutOfRange) {

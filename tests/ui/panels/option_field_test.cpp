@@ -131,6 +131,26 @@ TEST(OptionField, OfANumberSaysWhatItMayBeWhereItIsSomethingElse) {
 }
 
 // A field rounds the ends of its range, too: 60 spacings of 0.00491303 would be 0.2948.
+TEST(OptionField, OfACountShowsOneThatIsNotWholeAsItIs) {
+  Form form({.name = "neighbors",
+             .label = "Neighbors",
+             .kind = OptionKind::count,
+             .rule = fixedAt(12),
+             .minimum = 3,
+             .maximum = 60,
+             .help = "How many."});
+  form.field->setScale({.spacing = 1, .height = 100}, "mm");
+  const auto& label = *form.widget.findChild<QLabel*>();
+  auto& number = *form.widget.findChild<QDoubleSpinBox*>("neighbors");
+  EXPECT_EQ(number.text(), "12");
+  form.field->choose(fixedAt(3.5));
+  EXPECT_EQ(number.value(), 3.5);
+  EXPECT_EQ(label.text(), "Neighbors: a whole number, 3 to 60");
+  number.setValue(4);
+  EXPECT_EQ(number.text(), "4");
+  EXPECT_EQ(label.text(), "Neighbors");
+}
+
 TEST(OptionField, OfANumberTakesNoValueThatIsRoundedOutOfItsRange) {
   Form form({.name = "reach",
              .label = "Reach",

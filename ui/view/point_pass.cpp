@@ -261,7 +261,9 @@ void PointPass::drawPart(const DrawSettings& settings, const StatePart& part, fl
                     .scanned = own == nullptr && isWhole ? &buffers_.cloud().positions : own,
                     .colors = looks,
                     .hole = part.hole,
-                    .color = {}};
+                    .color = {},
+                    .isPreview = replacesPoints && !scene_.blend && !scene_.pointValues &&
+                                 !scene_.pointStates}; // whose colors mean something
   const bool isShown = scene_.contracted.visible || replacesPoints;
   if (isShown) drawLayer(settings, drawn, pointSize, until);
   if (scene_.displacementsShown && drawn_ == 0) drawDisplacements(settings, drawn);
@@ -295,6 +297,7 @@ void PointPass::prepare(const DrawSettings& settings, const Drawn& layer, float 
   Eigen::Vector4f tint = Eigen::Vector4f::Zero();
   constexpr float paleness = 0.78F; // of what is behind
   if (layer.color) tint << unitColor(*layer.color), 1;
+  if (layer.isPreview) tint << faded, 0.5F; // its lines are in the accent, too
   if (layer.isBehind) {
     const Eigen::Vector3f own = layer.color ? unitColor(*layer.color) : faded;
     tint << (1 - paleness) * own + paleness * faded, layer.color ? 1 : paleness;

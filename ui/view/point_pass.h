@@ -66,6 +66,7 @@ private:
     std::optional<Ball> hole;
     std::optional<Color> color; // of all of them; none: as `colors` say
     bool isBehind = false;      // all others, and paler
+    bool isPreview = false;     // paler than its lines
     std::optional<Eigen::Isometry3d> placement = std::nullopt; // to those of the cloud
   };
   [[nodiscard]] Drawn pointsOf(const std::optional<Ball>& hole) const; // of the cloud

@@ -279,7 +279,8 @@ void PreviewFlow::draw() {
 
 QString PreviewFlow::name() const {
   const QString change = changeBetween(parts_.reconstruct.used(), shown_->options);
-  return change.isEmpty() ? tr("Preview") : change;
+  const QString name = change.isEmpty() ? tr("Preview") : change;
+  return shown_->within ? tr("%1 · in the circle").arg(name) : name;
 }
 
 QString PreviewFlow::changeBetween(const PipelineOptions& before,

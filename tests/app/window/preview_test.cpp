@@ -327,13 +327,19 @@ protected:
 
 TEST_F(RegionPreviewTest, ShowsABallAtOnceAndThenTheWhole) {
   std::vector<bool> areParts;
-  QObject::connect(&window().part<PreviewFlow>(), &PreviewFlow::changed, &window(), [&] {
-    if (shown()) areParts.push_back(shown()->within.has_value());
+  QStringList names;
+  const auto& preview = window().part<PreviewFlow>();
+  QObject::connect(&preview, &PreviewFlow::changed, &window(), [&] {
+    if (!shown()) return;
+    areParts.push_back(shown()->within.has_value());
+    names.append(preview.name());
   });
   turnOn();
   ASSERT_GE(areParts.size(), 2U);
   EXPECT_TRUE(areParts.front());
+  EXPECT_TRUE(names.front().endsWith(" · in the circle")) << names.front().toStdString();
   EXPECT_FALSE(areParts.back());
+  EXPECT_FALSE(names.back().contains("circle")) << names.back().toStdString();
 }
 
 TEST_F(RegionPreviewTest, ShowsTheBallWhereThePointerPutIt) {

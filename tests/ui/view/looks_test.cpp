@@ -270,7 +270,7 @@ TEST_F(PointLooksTest, ColorsAPartOfThePointsInAnotherStateByTheirValues) {
   view_.setState(Side::right, state);
   view_.setDivider(0);
   const Eigen::Vector3d place = left_ + Eigen::Vector3d(0, 0, 1);
-  EXPECT_GT(count(place, palette(false).contracted), 5);
+  EXPECT_GT(count(place, test::paleAccent), 5);
   std::vector<float> values(2, none);
   values[leftColumn_] = 10;
   view_.setPointValues(PointValues{std::make_shared<const std::vector<float>>(values),

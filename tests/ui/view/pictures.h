@@ -16,6 +16,7 @@ namespace espalier::test {
 inline const Color black = palette(false).successor;
 inline const Color plain = palette(false).point;
 inline const Color accent = palette(false).contracted;
+inline const Color paleAccent = {0x8d, 0xbf, 0xa4}; // half of it background: points of a preview
 
 /// How many pixels of a picture, at most `reach` from a place, are about of this color.
 [[nodiscard]] int countPixels(const QImage& picture, const QPointF& place, int reach,

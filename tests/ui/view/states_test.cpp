@@ -130,8 +130,8 @@ protected:
     view_.frameAll();
     view_.setCamera(view_.camera()); // at once
   }
-  [[nodiscard]] int countAt(double z, const Color& color) {
-    return test::countPixels(view_.picture(view_.size()), pixelOf({0, 0, z}), 6, color, 90);
+  [[nodiscard]] int countAt(double z, const Color& color, int tolerance = 90) {
+    return test::countPixels(view_.picture(view_.size()), pixelOf({0, 0, z}), 6, color, tolerance);
   }
 
   std::shared_ptr<const PointCloud> cloud_;
@@ -167,13 +167,14 @@ TEST_F(BlendTest, ShowsContractedPointsInPlaceOfThoseScanned) {
   state.replacesPoints = true;
   view_.setState(Side::left, state);
   EXPECT_EQ(countAt(0, grey), 0);
-  EXPECT_GT(countAt(2, test::accent), 50);
+  EXPECT_GT(countAt(2, test::paleAccent, 30), 50) << "so that its lines stand out";
+  EXPECT_EQ(countAt(2, test::accent, 30), 0);
   state.within = Ball{{0, 0, 0}, 0.3};
   view_.setState(Side::left, state);
-  EXPECT_GT(countAt(2, test::accent), 50);
+  EXPECT_GT(countAt(2, test::paleAccent, 30), 50);
   view_.setDivider(0);
   EXPECT_GT(countAt(0, grey), 50) << "on the other side all is as usual";
-  EXPECT_EQ(countAt(2, test::accent), 0);
+  EXPECT_EQ(countAt(2, test::paleAccent, 30), 0);
 }
 
 TEST_F(BlendTest, PicksPointsWhereTheyAreDrawn) {

@@ -67,7 +67,7 @@ TEST_F(AskingTest, SaysWhatAKeyHasDoneMeanwhile) {
   const std::string done =
       document().undoStack().text(document().undoStack().index() - 1).toStdString();
   ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return isAsked() && document().selection().nodes().front() != node; }, 20'000));
+      [&] { return isAsked() && document().selection().nodes().front() != node; }, patience));
   EXPECT_TRUE(window().statusLine().shownText().startsWith(QString::fromStdString(done)))
       << window().statusLine().shownText().toStdString();
 }

@@ -29,7 +29,7 @@ protected:
   void ask() {
     view().setFocus();
     key(Qt::Key_F2);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, patience));
   }
 
   bool isAsked() { return action("answer_1").isEnabled(); }
@@ -74,7 +74,7 @@ protected:
       for (int k = 0; k < 4; ++k)
         if (find<QToolButton>(QString("answer_%1_button").arg(k + 1)).text().contains("no wood"))
           keyOnceDrawn(Qt::Key_1 + k);
-      ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked() && !found().isBusy(); }, 20'000));
+      ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked() && !found().isBusy(); }, patience));
     }
   }
 

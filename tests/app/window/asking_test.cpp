@@ -34,7 +34,7 @@ TEST_F(AskingTest, TakesAnswersByOneKeyEachAsOneUndoStep) {
   for (; answered < 6 && isAsked(); ++answered) {
     const QString asked = question() + firstAnswer();
     keyOnceDrawn(Qt::Key_1);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked() || doubts() == 0; }, 20'000));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked() || doubts() == 0; }, patience));
   }
   EXPECT_EQ(answered, 6);
   EXPECT_LE(document().undoStack().index(), steps + answered);
@@ -48,7 +48,7 @@ TEST_F(AskingTest, AKeyDoesNotAnswerWhatIsNotDrawnYet) {
   waitForView();
   key(Qt::Key_1);
   const std::string answered = answers();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return isAsked() && !found().isBusy(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return isAsked() && !found().isBusy(); }, patience));
   key(Qt::Key_Space);
   for (const int digit : {Qt::Key_1, Qt::Key_0})
     key(digit); // before anything is drawn
@@ -69,7 +69,7 @@ TEST_F(AskingTest, NamesTheKeyThatEndsItOnceWhereAPanelHasTheKeyboard) {
     hints = window().statusLine().shownText().split("   ");
     return hints.contains("Shift+Esc next panel");
   };
-  ASSERT_TRUE(QTest::qWaitFor(isHint, 10'000));
+  ASSERT_TRUE(QTest::qWaitFor(isHint, patience));
   EXPECT_EQ(hints.count("Esc ends"), 1);
   EXPECT_EQ(hints.filter(QRegularExpression("^Esc ")).size(), 1);
 }
@@ -77,7 +77,7 @@ TEST_F(AskingTest, NamesTheKeyThatEndsItOnceWhereAPanelHasTheKeyboard) {
 TEST_F(AskingTest, TheFirstKeyLeavesThePlantAsItIsWhateverIsAsked) {
   removeBranches();
   ask();
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !found().isBusy(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !found().isBusy(); }, patience));
   const auto isOtherLikelier = [](const Doubt& one) { return one.present > 0; };
   ASSERT_TRUE(std::ranges::any_of(found().doubts(), isOtherLikelier));
   std::map<Doubt::Kind, int> kinds;
@@ -96,7 +96,7 @@ TEST_F(AskingTest, TheFirstKeyLeavesThePlantAsItIsWhateverIsAsked) {
                                                                         : "1 as it is   2 "));
     ++kinds[isMissing ? Doubt::Kind::missing : Doubt::Kind::end];
     keyOnceDrawn(Qt::Key_1);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked() || doubts() == 0; }, 20'000));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked() || doubts() == 0; }, patience));
     ASSERT_EQ(wood(), before);
   }
   EXPECT_EQ(kinds.size(), 2U) << "branches that are there, and that are missing";
@@ -107,10 +107,10 @@ TEST_F(AskingTest, TakesAnswersBackAndAsksThemAgain) {
   const Skeleton plant = document().skeleton();
   const QString asked = question() + firstAnswer();
   keyOnceDrawn(Qt::Key_2);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, patience));
   EXPECT_NE(question() + firstAnswer(), asked);
   key(Qt::Key_Backspace);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, patience));
   EXPECT_EQ(question() + firstAnswer(), asked);
   EXPECT_EQ(document().skeleton(), plant);
   key(Qt::Key_Backspace); // there is no other: refused
@@ -139,7 +139,7 @@ TEST_F(AskingTest, MarksDoubtfulWhatNoneOfTheAnswersIsRightFor) {
   EXPECT_FALSE(isAsked()) << "it waits for an edit by hand";
   EXPECT_TRUE(question().startsWith("Correct it"));
   key(Qt::Key_Space);
-  EXPECT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, patience));
 }
 
 TEST_F(AskingTest, TakesAnEditOfTheWoodForAnAnswer) {
@@ -151,7 +151,7 @@ TEST_F(AskingTest, TakesAnEditOfTheWoodForAnAnswer) {
   action("remove_subtree").trigger();
   ASSERT_FALSE(document().skeleton().contains(node));
   EXPECT_TRUE(
-      QTest::qWaitFor([&] { return isAsked() && question() + firstAnswer() != asked; }, 20'000));
+      QTest::qWaitFor([&] { return isAsked() && question() + firstAnswer() != asked; }, patience));
 }
 
 TEST_F(AskingTest, TakesNoUndoForAnAnswer) {
@@ -160,13 +160,13 @@ TEST_F(AskingTest, TakesNoUndoForAnAnswer) {
   const Skeleton plant = document().skeleton();
   for (int i = 0; i < 2; ++i) {
     keyOnceDrawn(Qt::Key_1);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, patience));
   }
   while (document().skeleton() != plant) {
     action("undo").trigger();
     QTest::qWait(100);
   }
-  EXPECT_TRUE(QTest::qWaitFor([&] { return doubts() == before; }, 20'000)) << doubts();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return doubts() == before; }, patience)) << doubts();
 }
 
 TEST_F(AskingTest, GoesOnWhereWhatItAsksIsMarkedReviewed) {
@@ -176,7 +176,7 @@ TEST_F(AskingTest, GoesOnWhereWhatItAsksIsMarkedReviewed) {
   const QString asked = question() + firstAnswer();
   action("mark_all_selected").trigger();
   EXPECT_TRUE(
-      QTest::qWaitFor([&] { return isAsked() && question() + firstAnswer() != asked; }, 20'000));
+      QTest::qWaitFor([&] { return isAsked() && question() + firstAnswer() != asked; }, patience));
 }
 
 TEST_F(AskingTest, KeepsWhatWasAnsweredInTheProject) {
@@ -186,14 +186,15 @@ TEST_F(AskingTest, KeepsWhatWasAnsweredInTheProject) {
   ask();
   for (int i = 0; i < 3; ++i) {
     keyOnceDrawn(Qt::Key_1);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, patience));
   }
   const int left = doubts();
   const Skeleton plant = document().skeleton();
   open({file});
   EXPECT_EQ(document().skeleton(), plant);
   ask();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(doubts() - left) <= 1; }, 20'000)) << doubts();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(doubts() - left) <= 1; }, patience))
+      << doubts();
 }
 
 TEST_F(AskingTest, MarksDoubtfulWhatWouldBearABranchThatIsMissing) {
@@ -221,7 +222,7 @@ TEST_F(AskingTest, TakesNoRadiusForAnAnswer) {
     editor.setRadius(node, 1.01 * document().skeleton()[node].radius);
   });
   QTest::qWait(200);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !found().isBusy() && isAsked(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !found().isBusy() && isAsked(); }, patience));
   EXPECT_EQ(answers(), "");
   EXPECT_EQ(question(), asked);
 }
@@ -233,12 +234,12 @@ TEST_F(AskingTest, LearnsThatWoodIsRightWhichIsMovedAndWrongWhichIsRemoved) {
   document().edit("Move", [&](SkeletonEditor& editor) {
     editor.setPosition(moved, document().skeleton()[moved].position + Eigen::Vector3d(0, 0, 0.001));
   });
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !answers().empty() && isAsked(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !answers().empty() && isAsked(); }, patience));
   EXPECT_TRUE(answers().find("\"wrong\":false") != std::string::npos) << answers();
   skipTo(Doubt::Kind::end);
   action("remove_subtree").trigger();
   EXPECT_TRUE(QTest::qWaitFor(
-      [this] { return answers().find("\"wrong\":true") != std::string::npos; }, 20'000))
+      [this] { return answers().find("\"wrong\":true") != std::string::npos; }, patience))
       << answers();
 }
 
@@ -258,7 +259,7 @@ TEST_F(AskingTest, AsksAgainWhatWasToBeCorrectedByHandOnceThatIsUndone) {
   EXPECT_FALSE(isAsked()) << "none of the answers is right still";
   EXPECT_TRUE(question().startsWith("Correct it"));
   key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, patience));
   EXPECT_EQ(question() + firstAnswer(), asked);
   QTest::qWait(200);
   EXPECT_EQ(question() + firstAnswer(), asked);
@@ -268,7 +269,7 @@ TEST_F(AskingTest, AsksAgainWhatWasToBeCorrectedByHandOnceThatIsUndone) {
 TEST_F(AskingTest, GoesStraightToTheDoubtThatIsClicked) {
   key(Qt::Key_F2, Qt::ShiftModifier);
   auto& list = find<QTreeView>("findings_list");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return found().isKnown(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return found().isKnown(); }, patience));
   std::vector<std::vector<NodeId>> gone;
   QObject::connect(&document().selection(), &Selection::changed, &view(),
                    [&] { gone.push_back(document().selection().nodes()); });
@@ -292,20 +293,20 @@ TEST_F(AskingTest, GoesStraightToTheDoubtThatIsClicked) {
 
 TEST_F(AskingTest, ShowsThatTheShareIsOfThePlantBefore) {
   ask();
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !found().isBusy(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !found().isBusy(); }, patience));
   QTest::qWait(30);
   const auto& share = find<QLabel>("doubts_agreement");
   ASSERT_TRUE(share.isEnabled());
   skipTo(Doubt::Kind::end);
   action("remove_subtree").trigger();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !share.isEnabled(); })) << "it is not of now";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !share.isEnabled(); }, patience)) << "it is not of now";
   EXPECT_TRUE(share.text().contains("of the length is right"));
-  EXPECT_TRUE(QTest::qWaitFor([&] { return share.isEnabled(); }, 20'000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return share.isEnabled(); }, patience));
 }
 
 TEST_F(AskingTest, SaysThatTheSearchFailedAndSearchesAgain) {
   key(Qt::Key_F2, Qt::ShiftModifier);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return found().isKnown(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return found().isKnown(); }, patience));
   auto* job = found().findChild<JobSlot*>();
   ASSERT_NE(job, nullptr);
   const auto& note = find<QLabel>("findings_note");
@@ -316,13 +317,13 @@ TEST_F(AskingTest, SaysThatTheSearchFailedAndSearchesAgain) {
     });
   };
   touch();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return job->isBusy(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return job->isBusy(); }, patience));
   job->cancel();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !job->isBusy(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !job->isBusy(); }, patience));
   QTest::qWait(50);
   EXPECT_EQ(note.text(), "The search for doubts did not end: it was stopped. F2 searches again");
   ask();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !found().isBusy() && !note.isVisible(); }, 20'000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !found().isBusy() && !note.isVisible(); }, patience));
   EXPECT_EQ(found().failure(), "");
   key(Qt::Key_Escape);
   emit job->failed("no memory is left");
@@ -330,7 +331,7 @@ TEST_F(AskingTest, SaysThatTheSearchFailedAndSearchesAgain) {
   QTest::qWait(50);
   EXPECT_EQ(note.text(), "The search for doubts did not end: no memory is left. F2 searches again");
   touch();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !note.isVisible() && !found().isBusy(); }, 20'000))
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !note.isVisible() && !found().isBusy(); }, patience))
       << "an edit has it searched again";
 }
 

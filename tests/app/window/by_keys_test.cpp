@@ -77,7 +77,8 @@ protected:
     answer(
         [&](QDialog& dialog) {
           QApplication::setActiveWindow(&dialog); // as a window manager would
-          const bool isIn = QTest::qWaitFor([&] { return dialog.isAncestorOf(keyboard()); });
+          const bool isIn =
+              QTest::qWaitFor([&] { return dialog.isAncestorOf(keyboard()); }, patience);
           EXPECT_TRUE(isIn) << dialog.windowTitle().toStdString();
           if (isIn) reply();
           EXPECT_FALSE(dialog.isVisible()) << dialog.windowTitle().toStdString();

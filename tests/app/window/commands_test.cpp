@@ -76,7 +76,8 @@ TEST_F(MainWindowTest, RunsACommandFoundInThePalette) {
   auto& palette = find<QDialog>("command_palette");
   QTest::keyClicks(palette.findChild<QLineEdit*>(), "sel all");
   QTest::keyClick(palette.findChild<QLineEdit*>(), Qt::Key_Return);
-  EXPECT_TRUE(QTest::qWaitFor([this] { return document().selection().nodes().size() == 5; }));
+  EXPECT_TRUE(
+      QTest::qWaitFor([this] { return document().selection().nodes().size() == 5; }, patience));
 }
 
 TEST_F(MainWindowTest, FindsACommandByWhatItDoes) {
@@ -85,8 +86,8 @@ TEST_F(MainWindowTest, FindsACommandByWhatItDoes) {
   auto& palette = find<QDialog>("command_palette");
   QTest::keyClicks(palette.findChild<QLineEdit*>(), "color nodes radius share");
   QTest::keyClick(palette.findChild<QLineEdit*>(), Qt::Key_Return);
-  EXPECT_TRUE(
-      QTest::qWaitFor([this] { return action("node_color_radius_to_parent").isChecked(); }));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return action("node_color_radius_to_parent").isChecked(); },
+                              patience));
 }
 
 TEST_F(MainWindowTest, ShowsItsShortcuts) {

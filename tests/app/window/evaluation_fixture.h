@@ -60,11 +60,11 @@ struct EvaluationWindowTest : ProjectWindowTest {
           return score("f") != QStringLiteral("–") &&
                  find<QLabel>("score_f").property("role") == "value";
         },
-        60'000);
+        patience);
   }
   [[nodiscard]] bool waitForErrors(int count) {
     const QString title = count == 1 ? "1 error" : QStringLiteral("%1 errors").arg(count);
-    return QTest::qWaitFor([&] { return errors() == title; }, 60'000);
+    return QTest::qWaitFor([&] { return errors() == title; }, patience);
   }
   [[nodiscard]] QString errors() { return find<QLabel>("differences_title").text(); }
   QTreeWidget& list() { return find<QTreeWidget>("differences_list"); }

@@ -18,7 +18,8 @@ TEST_F(EvaluationWindowTest, TheListOfErrorsKeepsItsWidthOnceThePlantIsEdited) {
     const bool isAxial = editor.skeleton()[id].edge == EdgeType::successor;
     setEdgeType(editor, id, isAxial ? EdgeType::branching : EdgeType::successor);
   });
-  ASSERT_TRUE(QTest::qWaitFor([&] { return score("work").startsWith("1 edit, under a minute"); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return score("work").startsWith("1 edit, under a minute"); },
+                              patience));
   QCoreApplication::processEvents();
   EXPECT_EQ(list().width(), before);
 }
@@ -30,7 +31,8 @@ TEST_F(EvaluationWindowTest, AWarningCutsNothingBelowIt) {
     large.setPosition(id, 1000 * large[id].position);
   answer(chooseFile(write("expert.mtg", large)), [this] { action("load_reference").trigger(); });
   waitForJob();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("evaluation_warnings").isVisible(); }));
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return find<QLabel>("evaluation_warnings").isVisible(); }, patience));
   QCoreApplication::processEvents();
   const auto& panel = find<QWidget>("evaluation_panel");
   EXPECT_LE(panel.height(), panel.parentWidget()->height());

@@ -27,7 +27,7 @@ TEST_F(EvaluationWindowTest, ShowsThePlantByItselfUntilThereIsAReference) {
   EXPECT_FALSE(find<QDockWidget>("evaluation").isVisible());
   key(Qt::Key_F5);
   EXPECT_TRUE(find<QDockWidget>("evaluation").isVisible());
-  EXPECT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("traits_title").isVisible(); }))
+  EXPECT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("traits_title").isVisible(); }, patience))
       << "what is known of it by itself";
   answer(chooseFile(write("expert.mtg", plant())), [this] { clickButton("evaluation_load"); });
   waitForJob();

@@ -33,7 +33,7 @@ struct FindingsWindowTest : ProjectWindowTest {
   QPoint placeOfRow(int number) { return list().visualRect(row(number)).center(); }
   QString title() { return find<QLabel>("findings_title").text(); }
   [[nodiscard]] bool waitForTitle(const QString& text) {
-    return QTest::qWaitFor([&] { return title() == text; });
+    return QTest::qWaitFor([&] { return title() == text; }, patience);
   }
   /// The number that is written behind a kind; empty where there are none of it.
   QString countOf(const QString& kind) {

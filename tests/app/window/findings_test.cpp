@@ -76,7 +76,8 @@ TEST_F(FindingsWindowTest, SaysHowTheChecksEndedToWhoHasAskedBefore) {
   const auto statusText = [&] { return window().statusLine().shownText(); };
   key(Qt::Key_F4);
   ASSERT_EQ(statusText(), QString::fromUtf8("Checking against the scan…"));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !find<QLabel>("findings_note").isVisible(); }));
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return !find<QLabel>("findings_note").isVisible(); }, patience));
   const std::size_t count = window().part<FindingsFlow>().findings().size();
   EXPECT_TRUE(statusText().startsWith(QString("The checks ended: %1 finding").arg(count)))
       << statusText().toStdString();
@@ -86,7 +87,7 @@ TEST_F(FindingsWindowTest, FliesToTheFirstFindingOnceThereIsOne) {
   openForkAndScan();
   key(Qt::Key_F4);
   ASSERT_TRUE(chosen().empty()) << "it is still to be found";
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !chosen().empty(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !chosen().empty(); }, patience));
   waitForView();
   EXPECT_TRUE(isSeen(document().skeleton()[chosen().front()].position));
   EXPECT_TRUE(list().selectionModel()->isSelected(list().currentIndex()));
@@ -96,7 +97,8 @@ TEST_F(FindingsWindowTest, FliesNowhereOnceOneHasSelectedSomethingElse) {
   openForkAndScan();
   key(Qt::Key_F4);
   document().selection().set({nodeAt({0, 0, 0})});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !find<QLabel>("findings_note").isVisible(); }));
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return !find<QLabel>("findings_note").isVisible(); }, patience));
   QCoreApplication::processEvents();
   EXPECT_EQ(chosen(), std::vector{nodeAt({0, 0, 0})});
 }
@@ -152,14 +154,14 @@ TEST_F(FindingsWindowTest, WhatWasJustMendedStaysInItsPlaceInTheList) {
     editor.reparent(nodeAt({0, 0, 0}), foot, EdgeType::successor);
   });
   key(Qt::Key_F8);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !countOf("Edges off the scan").isEmpty(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !countOf("Edges off the scan").isEmpty(); }, patience));
   const NodeId foot = nodeAt({0, 0, -1});
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
         key(Qt::Key_F4);
         return chosen() == std::vector{foot};
       },
-      20'000));
+      patience));
   ASSERT_LT(list().currentIndex().row() + 1, list().model()->rowCount());
   key(Qt::Key_Delete);
   EXPECT_FALSE(document().skeleton().contains(foot));
@@ -263,7 +265,7 @@ TEST_F(FindingsWindowTest, OfTwoSuccessorsTheKeyKeepsTheOneThatGoesOnStraight) {
   key(Qt::Key_M, Qt::ShiftModifier);
   EXPECT_EQ(document().skeleton()[straight].edge, EdgeType::successor);
   EXPECT_EQ(document().skeleton()[aside].edge, EdgeType::branching);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Two successors").isEmpty(); }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Two successors").isEmpty(); }, patience));
 }
 
 TEST_F(FindingsWindowTest, IgnoredOnesLeaveTheListAndComeBackOnRequest) {
@@ -274,7 +276,7 @@ TEST_F(FindingsWindowTest, IgnoredOnesLeaveTheListAndComeBackOnRequest) {
   EXPECT_EQ(title(), "Nothing else to look at: 1 place is ignored");
   EXPECT_EQ(countOf("Ignored"), "1");
   setRadiusOf(shoot(0), 0.3); // still thicker: still ignored
-  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Ignored") == "1"; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Ignored") == "1"; }, patience));
   chooseKind("Ignored");
   EXPECT_EQ(title(), "1 place is ignored");
   QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, placeOfRow(0));
@@ -294,7 +296,7 @@ TEST_F(FindingsWindowTest, AProjectRemembersWhatIsIgnored) {
   window().close();
   restart();
   open({file});
-  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Ignored") == "1"; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Ignored") == "1"; }, patience));
   EXPECT_EQ(title(), "Nothing else to look at: 1 place is ignored");
   open({writeFork("other.mtg")});
   setRadiusOf(shoot(0), 0.2);
@@ -345,15 +347,16 @@ TEST_F(FindingsWindowTest, SelectsTheNodesOfAllFindings) {
 TEST_F(FindingsWindowTest, ChecksAgainstTheScanAsAJobOfItsOwn) {
   openForkAndScan();
   key(Qt::Key_F8);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !countOf("Bare twigs").isEmpty(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !countOf("Bare twigs").isEmpty(); }, patience));
   EXPECT_FALSE(countOf("Edges off the scan").isEmpty());
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !find<QLabel>("findings_note").isVisible(); }));
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return !find<QLabel>("findings_note").isVisible(); }, patience));
   const QString before = title();
   document().edit("Cut", [&](SkeletonEditor& editor) {
     for (int i = 0; i < 3; ++i)
       editor.erase(shoot(i));
   });
-  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Edges off the scan").isEmpty(); }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Edges off the scan").isEmpty(); }, patience));
   EXPECT_NE(title(), before);
 }
 
@@ -365,7 +368,7 @@ TEST_F(FindingsWindowTest, NothingIsSaidToBeWellBeforeTheScanWasChecked) {
   EXPECT_NE(title(), allIsWell);
   action("select_findings").trigger();
   EXPECT_NE(window().statusLine().shownText(), allIsWell);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !countOf("Bare twigs").isEmpty(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !countOf("Bare twigs").isEmpty(); }, patience));
 }
 
 TEST_F(FindingsWindowTest, PointsWithoutABranchAreSelectedAndCanGrowOne) {
@@ -375,11 +378,12 @@ TEST_F(FindingsWindowTest, PointsWithoutABranchAreSelectedAndCanGrowOne) {
   writeStructure(toPath(path("trunk.mtg")), trunk);
   open({writeScan("plant.xyz"), path("trunk.mtg")});
   key(Qt::Key_F8);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return countOf("Bare twigs") == "3"; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return countOf("Bare twigs") == "3"; }, patience));
   chooseKind("Bare twigs");
   key(Qt::Key_F4);
   const PointSet& points = document().pointSelection().points();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !points.isEmpty(); })) << "once doubts are known";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !points.isEmpty(); }, patience))
+      << "once doubts are known";
   EXPECT_GT(points.size(), 1000U) << "1900 of 2000 stand clear of the trunk";
   const PointCloud& cloud = *document().scan()->cloud();
   for (const Eigen::Index point : points.points())
@@ -387,9 +391,9 @@ TEST_F(FindingsWindowTest, PointsWithoutABranchAreSelectedAndCanGrowOne) {
   EXPECT_EQ(chosen().size(), 1U) << "the node they come nearest to";
 
   document().leaveOut("Set aside", points); // what is left is counted otherwise from here on
-  ASSERT_TRUE(QTest::qWaitFor([&] { return countOf("Bare twigs") == "2"; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return countOf("Bare twigs") == "2"; }, patience));
   key(Qt::Key_F4);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !points.isEmpty(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !points.isEmpty(); }, patience));
   EXPECT_TRUE((points & document().leftOut()).isEmpty());
   for (const Eigen::Index point : points.points())
     EXPECT_GT(cloud.position(point).head<2>().norm(), 0.05) << "none of the trunk";
@@ -403,8 +407,8 @@ TEST_F(FindingsWindowTest, FollowsManyEditsInARowToTheLast) {
     QTest::qWait(i % 7); // within the pause, and into the job
   }
   setRadiusOf(shoot(1), 0.2);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Thick on thin") == "1"; }));
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !countOf("Bare twigs").isEmpty(); }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Thick on thin") == "1"; }, patience));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !countOf("Bare twigs").isEmpty(); }, patience));
 }
 
 TEST_F(FindingsWindowTest, SayWhatTheyAreAndWhichKeyHelps) {
@@ -434,18 +438,19 @@ TEST_F(FindingsWindowTest, OneSensitivitySetsTheChecksAndTheDistanceOfExplainedP
   openForkAndScan();
   key(Qt::Key_F8);
   action("hide_explained").trigger();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !countOf("Bare twigs").isEmpty(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !countOf("Bare twigs").isEmpty(); }, patience));
   auto& distance = find<QDoubleSpinBox>("explained_number");
   auto& sensitivity = find<QDoubleSpinBox>("sensitivity");
   const double usual = distance.value();
   ASSERT_EQ(sensitivity.value(), 1);
   distance.setValue(50 * usual); // beyond all of the plant
   EXPECT_NEAR(sensitivity.value(), 0.02, 1e-3);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Bare twigs").isEmpty(); }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return countOf("Bare twigs").isEmpty(); }, patience));
   sensitivity.setValue(2);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(distance.value() - usual / 2) < usual / 50; }))
+  EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(distance.value() - usual / 2) < usual / 50; },
+                              patience))
       << distance.value() << " of " << usual;
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !countOf("Bare twigs").isEmpty(); }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !countOf("Bare twigs").isEmpty(); }, patience));
   const QString file = saveProject("sensitive.espalier");
   open({writeFork("other.mtg")});
   find<QDoubleSpinBox>("sensitivity").setValue(1);
@@ -468,7 +473,7 @@ TEST_F(FindingsWindowTest, ASpurBesideATrunkHasNoPointsOfItsOwn) {
   writeStructure(toPath(path("trunk.mtg")), plant);
   open({path("trunk.mtg")});
   key(Qt::Key_F8);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return countOf("No points of their own") == "1"; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return countOf("No points of their own") == "1"; }, patience));
   EXPECT_EQ(countOf("Edges off the scan"), "");
 }
 

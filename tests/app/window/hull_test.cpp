@@ -29,7 +29,7 @@ struct HullTest : test::ProjectWindowTest {
   void wrap(NodeId id) {
     document().selection().set({id});
     key(Qt::Key_V, Qt::ShiftModifier);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return wrapped() == std::vector{id}; }))
+    EXPECT_TRUE(QTest::qWaitFor([&] { return wrapped() == std::vector{id}; }, patience))
         << window().statusLine().shownText().toStdString();
   }
   /// How many pixels of the view differ from what it was.
@@ -56,7 +56,7 @@ TEST_F(HullTest, WrapsWhatABranchCarriesAndKeepsItsVolume) {
   EXPECT_GT(difference(before, view().picture({400, 400})), 500) << "it is to be seen";
   document().undoStack().undo();
   EXPECT_TRUE(wrapped().empty());
-  EXPECT_TRUE(QTest::qWaitFor([&] { return view().picture({400, 400}) == before; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return view().picture({400, 400}) == before; }, patience));
 }
 
 TEST_F(HullTest, IsTakenOffAgain) {
@@ -78,7 +78,7 @@ TEST_F(HullTest, ABranchSelectedAsAWholeHasOneHull) {
   all.push_back(top);
   document().selection().set(all);
   key(Qt::Key_V, Qt::ShiftModifier);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return wrapped() == std::vector{top}; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return wrapped() == std::vector{top}; }, patience));
 }
 
 TEST_F(HullTest, FollowsTheEditsOfThePlant) {
@@ -89,9 +89,11 @@ TEST_F(HullTest, FollowsTheEditsOfThePlant) {
   document().edit("Move", [&](SkeletonEditor& editor) {
     editor.setPosition(shoot(), Eigen::Vector3d(0.7, 0, 1.6));
   });
-  EXPECT_TRUE(QTest::qWaitFor([&] {
-    return difference(before, view().picture({400, 400})) > 100;
-  }));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        return difference(before, view().picture({400, 400})) > 100;
+      },
+      patience));
   EXPECT_EQ(volumeOf(nodeAt({0.7, 0, 1.6})), volume) << "kept until it is asked for again";
 }
 

@@ -208,9 +208,9 @@ TEST_F(ImportTest, WhatIsShownFollowsTheColumns) {
   openAnd(writeField("field.txt"), [](QDialog& dialog) {
     choose(dialog, "column_1", "z");
     choose(dialog, "column_3", "x");
-    EXPECT_TRUE(QTest::qWaitFor([&] {
-      return textOfLabel(dialog, "scan_bounds").contains("z from 0 to 1.99");
-    })) << textOfLabel(dialog, "scan_bounds").toStdString();
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return textOfLabel(dialog, "scan_bounds").contains("z from 0 to 1.99"); }, patience))
+        << textOfLabel(dialog, "scan_bounds").toStdString();
     dialog.reject();
   });
 }

@@ -56,7 +56,7 @@ struct MethodsWindowTest : test::ProjectWindowTest {
             if (cell(row, "F") == QStringLiteral("…")) return false;
           return true;
         },
-        60'000);
+        patience);
   }
 };
 
@@ -95,7 +95,7 @@ TEST_F(MethodsWindowTest, FollowsTheReferenceAndTheTolerance) {
   const QString before = cell(1, "Recall");
   auto& tolerance = find<QWidget>("evaluation_tolerance");
   tolerance.setProperty("value", 30.0);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return cell(1, "Recall") == "1.000"; }, 60'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return cell(1, "Recall") == "1.000"; }, patience));
   EXPECT_NE(before, "1.000");
   action("remove_reference").trigger();
   EXPECT_EQ(table().rowCount(), 0);

@@ -254,9 +254,9 @@ TEST_F(NodeTableWindowTest, FollowsEdits) {
   document().edit("Add", [](SkeletonEditor& editor) {
     editor.add({.position = {0, 0, 3}, .parent = forkTop});
   });
-  EXPECT_TRUE(QTest::qWaitFor([this] { return table().model()->rowCount() == 6; }));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return table().model()->rowCount() == 6; }, patience));
   key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_TRUE(QTest::qWaitFor([this] { return table().model()->rowCount() == 5; }));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return table().model()->rowCount() == 5; }, patience));
   open({writeFork("other.mtg")});
   EXPECT_EQ(table().model()->rowCount(), 5);
 }

@@ -126,7 +126,7 @@ TEST_F(ProjectWindowTest, SaysThatWorkIsKeptWhereAProjectIsOpened) {
 
 TEST_F(ProjectWindowTest, HasASessionReadyBeforeTheFirstEdit) {
   open({writeScan("puu1.xyz")});
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !sessionFiles().isEmpty(); }, 60'000));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !sessionFiles().isEmpty(); }, patience));
   const QString file = path("sessions/" + sessionFiles().front());
   document().edit("Add", [](SkeletonEditor& editor) { editor.add({.radius = 0.5}); });
   EXPECT_EQ(sessionFiles().size(), 1);
@@ -135,7 +135,7 @@ TEST_F(ProjectWindowTest, HasASessionReadyBeforeTheFirstEdit) {
 
 TEST_F(ProjectWindowTest, LeavesNoSessionBehindOfAPlantThatWasOnlyLookedAt) {
   open({writeScan("puu1.xyz")});
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !sessionFiles().isEmpty(); }, 60'000));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !sessionFiles().isEmpty(); }, patience));
   const QString file = path("sessions/" + sessionFiles().front());
   QFile::copy(file, path("killed.espalier"));
   window().close();
@@ -204,7 +204,7 @@ TEST_F(ProjectWindowTest, KeepsWhatIsIgnoredOfAPlantInNoProject) {
   EXPECT_TRUE(message().startsWith("Work on this plant was kept: fork")) << message().toStdString();
   clickButton("banner_action");
   waitForJob();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return ignored() == 1U; }, 60'000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return ignored() == 1U; }, patience));
   window().close();
   EXPECT_EQ(sessionFiles().size(), 1) << "it is still to be kept";
 }
@@ -258,7 +258,7 @@ TEST_F(ProjectWindowTest, SaysThatAnotherWindowHasTheProjectAndOpensACopy) {
   EXPECT_TRUE(second.banner().text().contains("open in another window"));
   EXPECT_TRUE(second.document().isEmpty());
   second.findChild<QPushButton*>("banner_action")->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !second.jobs().isBusy(); }, 60'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !second.jobs().isBusy(); }, patience));
   EXPECT_EQ(second.document().skeleton(), document().skeleton());
   second.document().edit("Radius", [](SkeletonEditor& editor) { editor.setRadius(forkTop, 9); });
   EXPECT_EQ(onDisk(file), document().history()) << "a copy does not touch it";
@@ -273,7 +273,7 @@ TEST_F(ProjectWindowTest, OpensAProjectOfAnotherWindowReadOnly) {
   MainWindow second(settings);
   second.open({file});
   second.findChild<QPushButton*>("banner_other_action")->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !second.jobs().isBusy(); }, 60'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !second.jobs().isBusy(); }, patience));
   EXPECT_EQ(second.document().skeleton(), document().skeleton());
   EXPECT_TRUE(second.windowTitle().startsWith("plant.espalier (read-only)"));
   EXPECT_THROW(second.document().edit("Radius",

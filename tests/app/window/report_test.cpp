@@ -29,7 +29,7 @@ struct ReportWindowTest : test::ProjectWindowTest {
   }
   [[nodiscard]] bool waitForNote(const QString& note) {
     return QTest::qWaitFor([&] { return window().statusLine().shownText().startsWith(note); },
-                           60'000);
+                           patience);
   }
   [[nodiscard]] QByteArray bytesOf(const QString& file) {
     QFile in(file);
@@ -95,7 +95,8 @@ TEST_F(ReportWindowTest, ReportsThePlantWhereThePanelLaysIt) {
          [this] { action("load_reference").trigger(); });
   waitForJob();
   const auto isShown = [this](const QString& text) {
-    return QTest::qWaitFor([&] { return find<QLabel>("evaluation_shift").text() == text; }, 60'000);
+    return QTest::qWaitFor([&] { return find<QLabel>("evaluation_shift").text() == text; },
+                           patience);
   };
   ASSERT_TRUE(isShown(QStringLiteral("moved by 0\u202fm")))
       << qPrintable(find<QLabel>("evaluation_shift").text());
@@ -132,7 +133,7 @@ TEST_F(ReportWindowTest, ListsApartWhatIsIgnored) {
   answer(chooseFile(write("expert.mtg", twig)), [this] { action("load_reference").trigger(); });
   waitForJob();
   ASSERT_TRUE(QTest::qWaitFor(
-      [this] { return find<QLabel>("differences_title").text() == "1 error"; }, 60'000));
+      [this] { return find<QLabel>("differences_title").text() == "1 error"; }, patience));
   key(Qt::Key_F3);
   key(Qt::Key_F3, Qt::ControlModifier);
   answer(chooseFile(path("plant.html")), [this] { action("export_report").trigger(); });
@@ -158,7 +159,7 @@ TEST_F(ReportWindowTest, LeavesNothingWhereItIsCanceled) {
   compare();
   answer(chooseFile(path("plant.html")), [this] { action("export_report").trigger(); });
   clickButton("cancel_job");
-  EXPECT_TRUE(QTest::qWaitFor([this] { return action("export_report").isEnabled(); }, 60'000));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return action("export_report").isEnabled(); }, patience));
   QTest::qWait(0);
   EXPECT_FALSE(QFile::exists(path("plant.html")));
 }

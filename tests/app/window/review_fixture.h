@@ -27,11 +27,11 @@ struct ReviewWindowTest : WindowTest {
     return std::ranges::count(view().nodesInside(QRectF(view().rect()), Depth::through), id) > 0;
   }
   [[nodiscard]] bool waitForStop() {
-    return QTest::qWaitFor([&] { return label("review_place").contains(" left"); }, 20'000);
+    return QTest::qWaitFor([&] { return label("review_place").contains(" left"); }, patience);
   }
   QString label(const QString& name) { return find<QLabel>(name).text(); }
   [[nodiscard]] bool waitForLabel(const QString& name, const QString& text) {
-    return QTest::qWaitFor([&] { return label(name) == text; });
+    return QTest::qWaitFor([&] { return label(name) == text; }, patience);
   }
 };
 

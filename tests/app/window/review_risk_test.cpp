@@ -160,7 +160,8 @@ TEST_F(ReviewByRiskTest, FindsErrorsAnewAfterAnEdit) {
   };
   EXPECT_EQ(riskOfAdded(), "risk 100 %") << "nothing is known of it yet";
   EXPECT_TRUE(QTest::qWaitFor(
-      [&] { return riskOfAdded().startsWith("risk ") && riskOfAdded() != "risk 100 %"; }, 20'000));
+      [&] { return riskOfAdded().startsWith("risk ") && riskOfAdded() != "risk 100 %"; },
+      patience));
 }
 
 } // namespace

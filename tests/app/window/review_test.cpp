@@ -87,7 +87,7 @@ TEST_F(ReviewWindowTest, TheListShowsTheNumbersOfAxesOfHighOrder) {
   document().openSkeleton(plant, "plant.mtg");
   action("show_review").setChecked(true);
   const auto& list = find<QTableView>("review_axes");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return list.model()->rowCount() == 121; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return list.model()->rowCount() == 121; }, patience));
   const QStyle& style = *list.style();
   const int margin = style.pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &list) + 1;
   for (const int row : {0, 11, 120})
@@ -319,11 +319,11 @@ TEST_F(ReviewWindowTest, EnterWithThePanelBehindAnotherOnlyBringsItToTheFront) {
   key(Qt::Key_F9);
   action("show_findings").trigger();
   const auto& panel = find<ReviewPanel>("review_panel");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return panel.visibleRegion().isEmpty(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return panel.visibleRegion().isEmpty(); }, patience));
   click(placeOf(shoot()));
   key(Qt::Key_Return);
   EXPECT_EQ(document().undoStack().count(), 0);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !panel.visibleRegion().isEmpty(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !panel.visibleRegion().isEmpty(); }, patience));
   const std::vector<NodeId> stretch = chosen();
   ASSERT_FALSE(stretch.empty());
   key(Qt::Key_Return);
@@ -379,7 +379,7 @@ TEST_F(ReviewWindowTest, ThePanelListsAxesAndItsButtonsDoAsTheKeys) {
     if (button->text() == "Reviewed, Go On") QTest::mouseClick(button, Qt::LeftButton);
   EXPECT_EQ(markOf(id).state, ReviewState::reviewed);
   const auto stateText = [&] { return axes.model()->index(1, 2).data().toString(); };
-  EXPECT_TRUE(QTest::qWaitFor([&] { return stateText() == "✓"; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return stateText() == "✓"; }, patience));
   EXPECT_EQ(axes.model()->index(0, 2).data().toString(), "0 %");
 }
 

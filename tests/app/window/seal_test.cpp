@@ -275,7 +275,7 @@ TEST_F(SealWindowTest, StatesHowManyPointsWereIgnoredAsNoWood) {
   EXPECT_FALSE(asked().contains("ignored as no wood"));
   key(Qt::Key_F8);
   const auto& findings = window().part<FindingsFlow>();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return findings.isAllChecked(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return findings.isAllChecked(); }, patience));
   auto& kinds = find<QComboBox>("findings_kind");
   const int bare = kinds.findText("Bare twigs (", Qt::MatchStartsWith);
   ASSERT_GE(bare, 0);
@@ -283,7 +283,7 @@ TEST_F(SealWindowTest, StatesHowManyPointsWereIgnoredAsNoWood) {
   emit kinds.activated(bare);
   const PointSet& points = document().pointSelection().points();
   key(Qt::Key_F4);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !points.isEmpty(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !points.isEmpty(); }, patience));
   const std::size_t selected = points.size();
   key(Qt::Key_F4, Qt::ControlModifier);
   ASSERT_EQ(findings.ignored().size(), 1U);
@@ -337,8 +337,8 @@ TEST_F(SealWindowTest, HasACertificateOfOnePage) {
   EXPECT_EQ(find<QPushButton>("banner_action").text(), "Export Certificate…");
   const QString file = path("fork.certificate.pdf");
   answer(chooseFile(file), [this] { clickButton("banner_action"); });
-  EXPECT_TRUE(
-      QTest::qWaitFor([&] { return message().startsWith("Wrote fork.certificate.pdf"); }, 60'000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return message().startsWith("Wrote fork.certificate.pdf"); },
+                              patience));
   waitForJob(); // it ends a moment after its message, and nothing is edited meanwhile
   QFile written(file);
   ASSERT_TRUE(written.open(QIODevice::ReadOnly));

@@ -18,12 +18,13 @@ TEST_F(WindowTest, A3dMouseMovesThePlantAndFramesIt) {
   ASSERT_TRUE(window().isActiveWindow());
   const Camera before = view().camera();
   driver.move({0, 0, 0, 0, 350, 0}, 50);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return view().camera() != before; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view().camera() != before; }, patience));
   EXPECT_LT(view().camera().yaw, before.yaw);
   driver.move({350, 0, 0, 0, 0, 0}, 50);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return view().camera().focus != before.focus; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view().camera().focus != before.focus; }, patience));
   driver.press(0);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return view().camera().focus.isApprox(before.focus, 1e-6); }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return view().camera().focus.isApprox(before.focus, 1e-6); },
+                              patience));
   driver.press(1); // nothing is selected: as the key then
   driver.press(7); // has no meaning
   QTest::qWait(50);

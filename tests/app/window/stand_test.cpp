@@ -204,7 +204,7 @@ TEST_F(StandTest, EscWithLivePreviewLeavesRootAndUpOfAnotherPlant) {
   const auto isShown = [&] {
     return window().part<PreviewFlow>().shown() && !window().part<PreviewFlow>().isBusy();
   };
-  ASSERT_TRUE(QTest::qWaitFor(isShown, 60'000));
+  ASSERT_TRUE(QTest::qWaitFor(isShown, patience));
   const UpAxis up = document().up();
   const auto root = document().root();
   view().setFocus();
@@ -212,7 +212,7 @@ TEST_F(StandTest, EscWithLivePreviewLeavesRootAndUpOfAnotherPlant) {
   EXPECT_EQ(document().up(), up);
   EXPECT_EQ(document().root(), root);
   open({file});
-  ASSERT_TRUE(QTest::qWaitFor(isShown, 60'000));
+  ASSERT_TRUE(QTest::qWaitFor(isShown, patience));
   view().setFocus();
   key(Qt::Key_Escape);
   EXPECT_EQ(document().up(), UpAxis::y);

@@ -46,7 +46,7 @@ protected:
           return window().part<FindingsFlow>().isAllChecked() &&
                  window().part<DoubtsFlow>().isKnown() && !window().part<DoubtsFlow>().isBusy();
         },
-        20'000);
+        patience);
   }
   const std::vector<Finding>& findings() { return window().part<FindingsFlow>().findings(); }
   const std::vector<Doubt>& doubts() { return window().part<DoubtsFlow>().doubts(); }
@@ -85,7 +85,7 @@ protected:
   std::size_t rowOfATwin() {
     const auto isTwin = [](const Suspect& one) { return one.isDoubt() && one.twin.has_value(); };
     const bool isThere =
-        QTest::qWaitFor([&] { return std::ranges::any_of(rows(), isTwin); }, 20'000);
+        QTest::qWaitFor([&] { return std::ranges::any_of(rows(), isTwin); }, patience);
     if (!isThere) {
       ADD_FAILURE() << "no row of both; " << kinds().currentText().toStdString() << ", "
                     << rows().size() << " rows of " << doubts().size() << " doubts and "

@@ -90,7 +90,7 @@ TEST_F(SuspectsTest, TheListStaysInPlaceWhereNothingIsOfItsKind) {
   };
   const int before = listUnderFields();
   document().undoStack().undo(); // nothing is thick on thin now
-  ASSERT_TRUE(QTest::qWaitFor([&] { return rows().empty(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return rows().empty(); }, patience));
   EXPECT_TRUE(list.isVisible());
   EXPECT_EQ(listUnderFields(), before);
 }

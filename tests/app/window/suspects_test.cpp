@@ -197,7 +197,7 @@ TEST_F(SuspectsTest, ListsWhatIsInTheViewAndAsksAboutThatAlone) {
   const auto inView = rows();
   view().setFocus();
   key(Qt::Key_F2);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, patience));
   for (int i = 0; i < 5; ++i) {
     ASSERT_TRUE(panel().current().has_value());
     EXPECT_TRUE(rows()[*panel().current()].isDoubt());
@@ -261,7 +261,7 @@ TEST_F(SuspectsTest, AGestureThatBeginsByKeyInTheListHasTheKeyboard) {
 TEST_F(SuspectsTest, TheRowOfAnAnswerThatIsTakenBackIsChosen) {
   view().setFocus();
   key(Qt::Key_F2);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, patience));
   const Doubt asked = doubts()[rows()[*panel().current()].number];
   keyOnceDrawn(Qt::Key_2); // another than it is: the plant changes
   ASSERT_TRUE(waitForAll());
@@ -282,7 +282,7 @@ TEST_F(SuspectsTest, TheFirstKeyWaitsForAllOfTheList) {
   key(Qt::Key_F4);
   ASSERT_TRUE(window().part<DoubtsFlow>().isBusy());
   EXPECT_FALSE(panel().current().has_value());
-  ASSERT_TRUE(QTest::qWaitFor([this] { return panel().current().has_value(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return panel().current().has_value(); }, patience));
   EXPECT_TRUE(waitForAll());
   EXPECT_EQ(panel().current(), 0U);
   EXPECT_EQ(isAsked(), rows()[0].isDoubt());
@@ -292,7 +292,7 @@ TEST_F(SuspectsTest, WhatIsAskedIsChosenInTheList) {
   key(Qt::Key_F8); // it comes with the question, and findings after it
   view().setFocus();
   key(Qt::Key_F2);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return isAsked(); }, patience));
   ASSERT_TRUE(waitForAll());
   const auto& list = find<QTreeView>("findings_list");
   ASSERT_TRUE(panel().current().has_value());
@@ -454,7 +454,7 @@ TEST_F(SuspectsTest, DoubtsFollowTheSensitivityOfTheChecks) {
 TEST_F(SuspectsTest, TheWindowClosesWhileTheListIsAWindowOfItsOwn) {
   auto& dock = find<QDockWidget>("findings");
   dock.setFloating(true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return dock.isVisible() && dock.isWindow(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return dock.isVisible() && dock.isWindow(); }, patience));
   dock.resize(400, 500);
   QApplication::processEvents();
   restart();

@@ -28,11 +28,11 @@ struct TraitsWindowTest : test::EvaluationWindowTest {
     return {};
   }
   [[nodiscard]] bool waitFor(const QString& name, const QString& value) {
-    return QTest::qWaitFor([&] { return trait(name) == value; }, 60'000);
+    return QTest::qWaitFor([&] { return trait(name) == value; }, patience);
   }
   [[nodiscard]] bool waitForNote(const QString& note) {
     return QTest::qWaitFor([&] { return window().statusLine().shownText().startsWith(note); },
-                           60'000);
+                           patience);
   }
   [[nodiscard]] QByteArray bytesOf(const QString& file) {
     QFile in(file);
@@ -102,7 +102,7 @@ TEST_F(TraitsWindowTest, SayWhatToDoWithoutAPlant) {
   EXPECT_FALSE(action("export_plant_report").isEnabled());
   key(Qt::Key_R, Qt::ControlModifier);
   waitForJob();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !trait("Tips").isEmpty(); }, 60'000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !trait("Tips").isEmpty(); }, patience));
   EXPECT_FALSE(find<QLabel>("evaluation_hint").isVisible());
   EXPECT_TRUE(action("measure_light").isEnabled());
 }
@@ -131,7 +131,7 @@ TEST_F(TraitsWindowTest, LightIsMeasuredOnDemand) {
         return value->property("role") == "value";
     return false;
   };
-  EXPECT_TRUE(QTest::qWaitFor([&] { return isNewOf("Tips"); }, 60'000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return isNewOf("Tips"); }, patience));
   EXPECT_TRUE(isPale()) << "it is of the plant before";
 }
 

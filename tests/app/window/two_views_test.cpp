@@ -25,7 +25,7 @@ protected:
   [[nodiscard]] PlantView& second() { return find<PlantView>("second_view"); }
   void waitForBoth() {
     waitForView();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return second().isStill(); }));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return second().isStill(); }, patience));
   }
   /// How far the second view is turned from the first.
   [[nodiscard]] double turn() {
@@ -123,7 +123,7 @@ TEST_F(TwoViewsTest, AToolWorksInTheSecondToo) {
   const NodeId apex = nodeAt({1, 0, 2});
   action("link_free").trigger();
   second().setCamera(view().camera()); // from the side, another shoot would hide it
-  ASSERT_TRUE(QTest::qWaitFor([&] { return second().isStill(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return second().isStill(); }, patience));
   const Skeleton before = document().skeleton();
   action("tool_move").trigger();
   const QPoint from = inSecond(apex);

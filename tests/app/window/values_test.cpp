@@ -18,7 +18,7 @@ struct ValuesWindowTest : test::WindowTest {
   void openForkAndScan() { open({writeScan("plant.xyz"), writeFork("fork.mtg")}); }
   QString left() { return find<QLabel>("explained_left").text(); }
   [[nodiscard]] bool waitForLeft(const QString& part) {
-    return QTest::qWaitFor([&] { return left().contains(part); });
+    return QTest::qWaitFor([&] { return left().contains(part); }, patience);
   }
   [[nodiscard]] QImage picture() { return view().picture({300, 300}); }
 };
@@ -30,10 +30,10 @@ TEST_F(ValuesWindowTest, TheSliderLeavesWhatTheSkeletonDoesNotExplain) {
   key(Qt::Key_5, Qt::ControlModifier);
   EXPECT_TRUE(find<ExplainedBar>("explained_bar").isVisible());
   ASSERT_TRUE(waitForLeft("left"));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return picture() != all; })) << "they are dimmed";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return picture() != all; }, patience)) << "they are dimmed";
   const QImage dimmed = picture();
   find<QToolButton>("explained_hide").click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return picture() != dimmed; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return picture() != dimmed; }, patience));
   auto& slider = find<OptionSlider>("explained_slider");
   slider.setFocus();
   QTest::keyClick(&slider, Qt::Key_End);
@@ -44,7 +44,7 @@ TEST_F(ValuesWindowTest, TheSliderLeavesWhatTheSkeletonDoesNotExplain) {
   clickButton("explained_close");
   EXPECT_FALSE(find<ExplainedBar>("explained_bar").isVisible());
   EXPECT_FALSE(action("hide_explained").isChecked());
-  EXPECT_TRUE(QTest::qWaitFor([&] { return picture() == all; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return picture() == all; }, patience));
 }
 
 TEST_F(ValuesWindowTest, BarsOverTheViewCoverNeitherEachOtherNorTheMinimap) {
@@ -56,7 +56,8 @@ TEST_F(ValuesWindowTest, BarsOverTheViewCoverNeitherEachOtherNorTheMinimap) {
   near.distance /= 8; // the minimap is absent while all is shown
   view().setCamera(near);
   auto* minimap = view().findChild<QWidget*>("minimap");
-  ASSERT_TRUE(minimap != nullptr && QTest::qWaitFor([&] { return minimap->isVisible(); }));
+  ASSERT_TRUE(minimap != nullptr &&
+              QTest::qWaitFor([&] { return minimap->isVisible(); }, patience));
   const auto placeOf = [&](const QString& name) {
     auto& widget = find<QWidget>(name);
     EXPECT_TRUE(widget.isVisible());
@@ -85,9 +86,9 @@ TEST_F(ValuesWindowTest, TheSliderFollowsEdits) {
   document().edit("Move", [&](SkeletonEditor& editor) {
     editor.setPosition(nodeAt({1, 0, 2}), {0.8, 0, 1.6}); // onto a branch of the scan
   });
-  EXPECT_TRUE(QTest::qWaitFor([&] { return left() != before; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return left() != before; }, patience));
   key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return left() == before; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return left() == before; }, patience));
 }
 
 TEST_F(ValuesWindowTest, WithoutASkeletonNothingIsExplained) {
@@ -107,9 +108,9 @@ TEST_F(ValuesWindowTest, ColorsPointsByTheirDisplacement) {
   waitForJob();
   action("layer_skeleton").setChecked(false);
   action("layer_contracted").setChecked(false);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return picture() != byHeight; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return picture() != byHeight; }, patience));
   action("color_height").trigger();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return picture() == byHeight; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return picture() == byHeight; }, patience));
 }
 
 TEST_F(ValuesWindowTest, ColorsNodesByEachValue) {
@@ -122,9 +123,9 @@ TEST_F(ValuesWindowTest, ColorsNodesByEachValue) {
   for (const char* id :
        {"order", "radius", "radius_to_parent", "review", "distance", "confidence"}) {
     action(QStringLiteral("node_color_%1").arg(id)).trigger();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return picture() != usual; })) << id;
+    EXPECT_TRUE(QTest::qWaitFor([&] { return picture() != usual; }, patience)) << id;
     action("node_color_none").trigger();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return picture() == usual; })) << id;
+    EXPECT_TRUE(QTest::qWaitFor([&] { return picture() == usual; }, patience)) << id;
   }
 }
 
@@ -132,9 +133,9 @@ TEST_F(ValuesWindowTest, ColorsPointsByTheirDistanceUntilAnotherColorIsChosen) {
   openForkAndScan();
   const QImage byHeight = picture();
   action("color_distance").trigger();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return picture() != byHeight; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return picture() != byHeight; }, patience));
   action("color_height").trigger();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return picture() == byHeight; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return picture() == byHeight; }, patience));
 }
 
 TEST_F(ValuesWindowTest, ColorsAreRemembered) {
@@ -147,7 +148,7 @@ TEST_F(ValuesWindowTest, ColorsAreRemembered) {
   openForkAndScan();
   const QImage shown = picture();
   action("node_color_none").trigger();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return picture() != shown; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return picture() != shown; }, patience));
 }
 
 } // namespace

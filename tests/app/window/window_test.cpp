@@ -154,7 +154,7 @@ TEST_F(MainWindowTest, AStepThatIsOpenedIsSeen) {
     const auto isSeen = [&] {
       return seen().top() >= 0 && (seen().bottom() < view->height() || seen().top() == 0);
     };
-    EXPECT_TRUE(QTest::qWaitFor(isSeen))
+    EXPECT_TRUE(QTest::qWaitFor(isSeen, patience))
         << form->step().name << ": " << seen().top() << " to " << seen().bottom();
   }
 }

@@ -26,7 +26,6 @@ namespace espalier {
 namespace {
 
 struct WorklistWindowTest : test::ProjectWindowTest {
-  static constexpr int soon = 10'000; // [ms], for what is read in the background
 
   WorklistWindowTest() { QDir().mkpath(path("plants")); }
 
@@ -59,7 +58,7 @@ struct WorklistWindowTest : test::ProjectWindowTest {
     return all;
   }
   [[nodiscard]] bool waitForRows(const QStringList& wanted) {
-    return QTest::qWaitFor([&] { return rows() == wanted; }, soon);
+    return QTest::qWaitFor([&] { return rows() == wanted; }, patience);
   }
   /// There is an icon in any case: an empty one at first.
   bool hasPicture(int row) {
@@ -94,7 +93,8 @@ TEST_F(WorklistWindowTest, ListsAFolderWithoutAPlantBeingOpen) {
   EXPECT_EQ(cell(0, WorklistModel::findingsColumn), "–") << "nothing was checked";
   EXPECT_EQ(find<QLabel>("worklist_title").text(), "plants · 2 plants: 1 to do, 1 in review");
   for (int row = 0; row < 2; ++row)
-    EXPECT_TRUE(QTest::qWaitFor([&] { return hasPicture(row); }, soon)) << "picture of row " << row;
+    EXPECT_TRUE(QTest::qWaitFor([&] { return hasPicture(row); }, patience))
+        << "picture of row " << row;
   EXPECT_EQ(QDir(path("pictures")).entryList({"*.png"}, QDir::Files).size(), 2);
 }
 
@@ -121,7 +121,7 @@ TEST_F(WorklistWindowTest, KeepsItsHeightWhilePlantsComeAndGoAndInTheNextSession
   constexpr int chosen = 330; // [px]
   window().resizeDocks({dock()}, {chosen}, Qt::Vertical);
   const auto hasHeight = [&] {
-    return QTest::qWaitFor([&] { return dock()->height() == chosen; }, soon);
+    return QTest::qWaitFor([&] { return dock()->height() == chosen; }, patience);
   };
   EXPECT_TRUE(hasHeight());
   action("close_plant").trigger();
@@ -172,7 +172,8 @@ TEST_F(WorklistWindowTest, KnowsTheFindingsOnceTheyWereShown) {
   ASSERT_TRUE(waitForRows({"a.espalier: In review"}));
   choose(0);
   action("show_findings").trigger();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return cell(0, WorklistModel::findingsColumn) != "–"; }, soon));
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return cell(0, WorklistModel::findingsColumn) != "–"; }, patience));
 }
 
 TEST_F(WorklistWindowTest, AsksForUnsavedWorkBeforeTheNextPlant) {
@@ -224,8 +225,8 @@ TEST_F(WorklistWindowTest, ComparesTwoAnnotatorsOfOneScan) {
   EXPECT_EQ(cell(0, WorklistModel::secondColumn), "Ben");
   EXPECT_EQ(cell(1, WorklistModel::secondColumn), "Anna");
   for (int row = 0; row < 2; ++row)
-    EXPECT_TRUE(
-        QTest::qWaitFor([&] { return cell(row, WorklistModel::agreementColumn) == "1.00"; }, soon))
+    EXPECT_TRUE(QTest::qWaitFor([&] { return cell(row, WorklistModel::agreementColumn) == "1.00"; },
+                                patience))
         << cell(row, WorklistModel::agreementColumn).toStdString();
 }
 
@@ -264,7 +265,7 @@ TEST_F(WorklistWindowTest, ReadsTheListForTheSecondAnnotatorWhileThePanelIsClose
         waitForJob();
         return window().part<ReferenceFlow>().name() == "ben.espalier";
       },
-      soon));
+      patience));
 }
 
 TEST_F(WorklistWindowTest, PassesOverAPlantThatAnotherWindowWorksOn) {
@@ -299,9 +300,9 @@ TEST_F(WorklistWindowTest, ShowsABrokenScanAndGoesOn) {
   const auto isRead = [&] {
     return rows().size() == 3 && !rows()[0].endsWith("To do") && rows()[1] == "b.ply: To do";
   };
-  ASSERT_TRUE(QTest::qWaitFor(isRead, soon)) << rows().join(" | ").toStdString();
+  ASSERT_TRUE(QTest::qWaitFor(isRead, patience)) << rows().join(" | ").toStdString();
   EXPECT_EQ(list().model()->index(0, 0).data(WorklistModel::stageRole), "p");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return hasPicture(1); }, soon)) << "it was read";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return hasPicture(1); }, patience)) << "it was read";
   // Broken since, which only opening it shows.
   const std::filesystem::path later = toPath(path("plants/b.ply"));
   const auto time = std::filesystem::last_write_time(later);
@@ -319,7 +320,7 @@ TEST_F(WorklistWindowTest, ShowsThatAProjectIsDamaged) {
   chooseFolderOfPlants();
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return rows().value(0).startsWith("a.espalier: Is damaged: the plant is as it was"); },
-      soon))
+      patience))
       << rows().join(" | ").toStdString();
 }
 
@@ -392,7 +393,7 @@ TEST_F(WorklistWindowTest, ReadsATableWithFurtherColumns) {
   table.write("plot,file,annotator\n7,plants/a.espalier,Zoe\n8,plants/missing.espalier,Zoe\n");
   table.close();
   answer(chooseFile(table.fileName()), [this] { action("worklist_table").trigger(); });
-  ASSERT_TRUE(QTest::qWaitFor([&] { return rows().contains("a.espalier: In review"); }, soon));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return rows().contains("a.espalier: In review"); }, patience));
   EXPECT_EQ(list().model()->headerData(WorklistModel::columns, Qt::Horizontal).toString(), "plot");
   const int row = static_cast<int>(rows().indexOf("a.espalier: In review"));
   EXPECT_EQ(cell(row, WorklistModel::columns), "7");
@@ -415,7 +416,7 @@ TEST_F(WorklistWindowTest, SaysWhyAFolderCannotBeListed) {
   chooseFolderOfPlants();
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return find<QLabel>("worklist_note").text().contains("holds no project and no scan"); },
-      soon));
+      patience));
   writeProject("a.espalier", "Anna");
   EXPECT_TRUE(waitForRows({"a.espalier: In review"})) << "it is looked again";
   EXPECT_FALSE(find<QLabel>("worklist_note").isVisible());

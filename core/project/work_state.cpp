@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <ranges>
+#include <string_view>
 
 namespace espalier {
 namespace {
@@ -38,6 +41,20 @@ bool hasMarks(const Skeleton& skeleton) {
   });
 }
 
+/// Who made most of these steps, of several the one who came last: a reviewer who mends a node does
+/// not take a plant over. Empty: there is none.
+std::string mostlyBy(std::span<const HistoryStep> steps) {
+  std::map<std::string_view, std::size_t> counts;
+  for (const HistoryStep& step : steps)
+    ++counts[step.author];
+  std::size_t most = 0;
+  for (const auto& [author, count] : counts)
+    most = std::max(most, count);
+  for (const HistoryStep& step : std::views::reverse(steps))
+    if (counts[step.author] == most) return step.author;
+  return {};
+}
+
 } // namespace
 
 WorkState workState(const Project& project, const History& history) {
@@ -45,7 +62,7 @@ WorkState workState(const Project& project, const History& history) {
   const HandWork work = handWork(done, history.skeleton);
   WorkState state{.nodes = history.skeleton.size(),
                   .time = work.time,
-                  .annotator = done.empty() ? std::string() : done.back().author,
+                  .annotator = mostlyBy(done),
                   .seal = sealOf(project),
                   .scan = project.scan()};
   const bool isSigned = state.seal && state.seal->hash == StructureHash(history.skeleton).value();

@@ -24,8 +24,9 @@ struct WorkState {
   std::size_t nodes = 0;
   std::optional<std::size_t> openFindings = {}; // as signed, or as last known; none: never known
   std::int64_t time = 0;                        // [ms] at work, as handWork()
-  std::string annotator = {};                   // who signed, else who made the last step; or none
-  std::optional<Seal> seal = {};                // whether it holds or not
+  std::string annotator = {};    // who signed, else who made most of the steps since the last
+                                 // reconstruction; or none
+  std::optional<Seal> seal = {}; // whether it holds or not
   std::optional<ScanReference> scan = {};
 };
 

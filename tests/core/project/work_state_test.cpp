@@ -75,6 +75,24 @@ TEST_F(WorkStateTest, IsAutomaticUntilAHandEditsOrMarks) {
   EXPECT_EQ(state().stage, WorkStage::inReview);
 }
 
+TEST_F(WorkStateTest, IsOfWhoMadeMostOfTheSteps) {
+  EXPECT_EQ(state().annotator, "");
+  reconstruct();
+  const auto work = [this] {
+    step(oneMinute, [](SkeletonEditor& editor) {
+      const NodeId root = editor.skeleton().roots().front();
+      editor.setRadius(root, editor.skeleton()[root].radius + 0.1);
+    });
+  };
+  work();
+  work();
+  history.steps.back().author = "Berta";
+  EXPECT_EQ(state().annotator, "Anna") << "two of three steps";
+  work();
+  history.steps.back().author = "Berta";
+  EXPECT_EQ(state().annotator, "Berta") << "of two who made as many, who came last";
+}
+
 TEST_F(WorkStateTest, ARemarkIsAMarkOfTheReview) {
   history.skeleton = test::fork(3);
   EXPECT_EQ(state().stage, WorkStage::automatic) << "it was opened";

@@ -1,6 +1,9 @@
 #include "core/project/corrections.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <unordered_map>
 
@@ -99,6 +102,55 @@ std::optional<NodeId> attachedBy(const SkeletonDelta& delta) {
   return attached;
 }
 
+/// How a step moved the whole plant, turned or scaled it, which corrects nothing of it.
+/// @param size  nodes of the plant after it
+/// @return none if it changed the shape, or anything else
+std::optional<Eigen::Affine3d> motionBy(const SkeletonDelta& delta, std::size_t size) {
+  constexpr std::size_t fewest = 3; // fewer have no shape
+  if (size < fewest || delta.changes.size() != size) return std::nullopt;
+  const auto isMovedAlone = [](const SkeletonDelta::Change& change) {
+    return change.before && change.after && change.before->position != change.after->position &&
+           change.before->parent == change.after->parent &&
+           change.before->edge == change.after->edge;
+  };
+  if (!std::ranges::all_of(delta.changes, isMovedAlone)) return std::nullopt;
+  Eigen::Matrix3Xd before(3, size), after(3, size);
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto column = static_cast<Eigen::Index>(i);
+    before.col(column) = delta.changes[i].before->position;
+    after.col(column) = delta.changes[i].after->position;
+  }
+  // About the middle: far from 0 little is left of the digits.
+  const Eigen::Vector3d from = before.rowwise().mean();
+  const Eigen::Vector3d to = after.rowwise().mean();
+  before.colwise() -= from;
+  after.colwise() -= to;
+  const Eigen::Affine3d turn(Eigen::umeyama(before, after));
+  const double exactness = 1e-6 * after.colwise().norm().maxCoeff();
+  const double error = (turn * before - after).colwise().norm().maxCoeff();
+  if (!(error <= exactness)) return std::nullopt; // nor where all nodes lie at one place
+  return Eigen::Translation3d(to) * turn * Eigen::Translation3d(-from);
+}
+
+/// The nodes of a plant after each of its steps.
+/// @param size  after the last
+std::vector<std::size_t> sizesAfter(std::span<const HistoryStep> steps, std::size_t size) {
+  std::vector<std::size_t> sizes(steps.size());
+  for (std::size_t i = steps.size(); i-- > 0;) {
+    sizes[i] = size;
+    size = size + countRemoved(steps[i].delta) - countAdded(steps[i].delta);
+  }
+  return sizes;
+}
+
+void move(Skeleton& skeleton, const Eigen::Affine3d& motion) {
+  const double scale = std::cbrt(std::abs(motion.linear().determinant()));
+  for (const NodeId id : skeleton.ids()) {
+    skeleton.setPosition(id, motion * skeleton[id].position);
+    skeleton.setRadius(id, scale * skeleton[id].radius, skeleton[id].origin);
+  }
+}
+
 void count(const SkeletonDelta::Change& change, const Changes& changes, Corrections& to) {
   if (!change.before || !change.after) {
     ++(change.before ? to.removed : to.added);
@@ -124,7 +176,11 @@ bool madePlantAnew(const HistoryStep& step, std::size_t size) {
 PlantBeginning beginningOfHandWork(const History& history) {
   const auto done = std::span(history.steps).first(history.position);
   const std::size_t first = firstCorrection(done, history.skeleton.size());
-  return {.skeleton = skeletonAt(history, first), .isReconstructed = first > 0};
+  PlantBeginning beginning{.skeleton = skeletonAt(history, first), .isReconstructed = first > 0};
+  const std::vector<std::size_t> sizes = sizesAfter(done, history.skeleton.size());
+  for (std::size_t i = first; i < done.size(); ++i)
+    if (const auto motion = motionBy(done[i].delta, sizes[i])) move(beginning.skeleton, *motion);
+  return beginning;
 }
 
 MadeByHand madeByHand(const StepAt& stepAt, std::size_t count, const Skeleton& skeleton) {
@@ -142,13 +198,16 @@ MadeByHand madeByHand(const StepAt& stepAt, std::size_t count, const Skeleton& s
 
 HandWork handWork(std::span<const HistoryStep> done, const Skeleton& skeleton) {
   const std::size_t first = firstCorrection(done, skeleton.size());
+  const std::vector<std::size_t> sizes = sizesAfter(done, skeleton.size());
   HandWork work;
   Corrections& sum = work.corrections;
   for (std::size_t i = first; i < done.size(); ++i) {
     const Corrections before = sum;
-    const Changes changes = changesOf(done[i].delta);
-    for (const SkeletonDelta::Change& change : done[i].delta.changes)
-      count(change, changes, sum);
+    const SkeletonDelta& delta = done[i].delta;
+    const Changes changes = changesOf(delta);
+    if (!motionBy(delta, sizes[i]))
+      for (const SkeletonDelta::Change& change : delta.changes)
+        count(change, changes, sum);
     if (sum != before) ++sum.edits;
     if (i == 0) continue;
     const std::int64_t gap = done[i].time - done[i - 1].time;

@@ -42,8 +42,9 @@ inline constexpr std::int64_t longestPause = std::int64_t{5} * 60 * 1000;
 [[nodiscard]] bool madePlantAnew(const HistoryStep& step, std::size_t size);
 
 /// The work by hand that led to the present skeleton: the steps that are done, from the last one on
-/// that made the whole plant anew (madePlantAnew), which itself is no correction. A clock that
-/// was set back between two steps adds nothing. O(all changes).
+/// that made the whole plant anew (madePlantAnew), which itself is no correction, nor is a step that
+/// moved, turned or scaled the plant as a whole. A clock that was set back between two steps adds
+/// nothing. O(all changes).
 [[nodiscard]] HandWork handWork(std::span<const HistoryStep> done, const Skeleton& skeleton);
 
 /// What edits by hand have decided of the nodes of the present skeleton, by id.
@@ -66,7 +67,8 @@ struct PlantBeginning {
   bool isReconstructed = false; // by a step that made the whole plant anew; else it was opened
 };
 
-/// What the work by hand began with: see handWork(). Empty: the plant was drawn from nothing.
+/// What the work by hand began with: see handWork(). Where the plant was moved as a whole since,
+/// this is, too. Empty: the plant was drawn from nothing.
 /// O(all changes)
 [[nodiscard]] PlantBeginning beginningOfHandWork(const History& history);
 

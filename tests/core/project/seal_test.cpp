@@ -241,6 +241,33 @@ TEST(Seal, StatesHowItWasReviewed) {
   EXPECT_EQ(seal.state, SealedState{.ignored = 1});
 }
 
+/// Turned, scaled and shifted as a whole, as where it is laid onto a scan.
+void lay(SkeletonEditor& editor) {
+  const Eigen::AngleAxisd turn(0.4, Eigen::Vector3d(1, 2, 3).normalized());
+  for (const NodeId id : editor.skeleton().ids()) {
+    const Eigen::Vector3d place = 2 * (turn * editor.skeleton()[id].position);
+    editor.setPosition(id, place + Eigen::Vector3d(3e6, 4e6, 50));
+  }
+}
+
+TEST(HandWork, CountsNoCorrectionWhereThePlantIsMovedAsAWhole) {
+  Work work{.history = {.skeleton = test::fork(3)}};
+  work.step(0, lay);
+  EXPECT_EQ(work.done().corrections, Corrections());
+  EXPECT_FALSE(beginningOfHandWork(work.history).skeleton.isEmpty());
+  const Skeleton beginning = beginningOfHandWork(work.history).skeleton;
+  for (const NodeId id : beginning.ids())
+    EXPECT_LT((beginning[id].position - work.history.skeleton[id].position).norm(), 1e-6)
+        << "an agreement with it is of what was corrected";
+  work.step(0, [](SkeletonEditor& editor) { // one otherwise than all others
+    lay(editor);
+    const NodeId id = editor.skeleton().ids().back();
+    editor.setPosition(id, editor.skeleton()[id].position + Eigen::Vector3d(0, 0, 1));
+  });
+  EXPECT_EQ(work.done().corrections.edits, 1U);
+  EXPECT_EQ(work.done().corrections.moved, work.history.skeleton.size());
+}
+
 TEST(BeginningOfHandWork, OfAPlantThatIsDrawnFromNothingIsNothing) {
   Work work{.history = {}};
   work.step(0, [](SkeletonEditor& editor) { replaceSkeleton(editor, test::stick(4)); });

@@ -75,6 +75,20 @@ std::string beginningOf(std::istream& in, const std::filesystem::path& path) {
   return bytes;
 }
 
+/// What the content of a file shows; null: nothing, or there is no such file.
+const Format* formatIn(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return nullptr;
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return nullptr;
+  const std::string beginning = beginningOf(in, path);
+  const auto isShown = [&](const Format& format) {
+    return format.recognizes != nullptr && format.recognizes(beginning);
+  };
+  const auto found = std::ranges::find_if(formats(), isShown);
+  return found == formats().end() ? nullptr : &*found;
+}
+
 /// Whether the reader of a format reads texts in UTF-16, or says what to do with them.
 bool knowsUtf16(const Format& format) {
   const auto readers = {isMtg, isGraphml, isOpf, isRsml};
@@ -196,6 +210,11 @@ const Format& formatToWrite(const std::filesystem::path& path, Content content) 
   const auto isWanted = [content](const Format& format) {
     return format.content == content && format.canWrite();
   };
+  const Format* present = formatIn(path);
+  const auto isPresent = [&](const Format& format) {
+    return &format == present && isWanted(format);
+  };
+  if (const Format* format = formatOfName(path, isPresent)) return *format;
   if (const Format* format = formatOfName(path, isWanted)) return *format;
   const bool isAny = !path.has_extension() && isStream(path);
   if (isAny) return *std::ranges::find_if(formats(), isWanted);
@@ -285,7 +304,11 @@ void writeStructure(const std::filesystem::path& path, const Skeleton& skeleton)
 }
 
 void writeStructure(const std::filesystem::path& path, const Structure& structure, MtgStyle style) {
-  const Format& format = formatToWrite(path, Content::structure);
+  writeStructure(path, structure, formatToWrite(path, Content::structure), style);
+}
+
+void writeStructure(const std::filesystem::path& path, const Structure& structure,
+                    const Format& format, MtgStyle style) {
   const bool isShapeless = isWithoutPositions(structure);
   if (isShapeless && format.writeMtg == nullptr)
     refuse(path, Shown::tr("%1 needs positions, and the structure has none: choose MTG or OPF"),
@@ -293,7 +316,9 @@ void writeStructure(const std::filesystem::path& path, const Structure& structur
   if (isShapeless && format.recognizes != isMtg)
     return writeAtomically(path,
                            [&](std::ostream& out) { format.writeMtg(out, structure.frame->mtg); });
-  if (format.recognizes != isMtg) return writeStructure(path, structure.skeleton);
+  if (format.recognizes != isMtg)
+    return writeAtomically(
+        path, [&](std::ostream& out) { format.writeStructure(out, structure.skeleton); });
   const std::string text = mtgTextOf(structure, style);
   writeAtomically(path, [&](std::ostream& out) { out << text; });
 }

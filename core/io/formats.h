@@ -72,8 +72,9 @@ struct Format {
 /// are
 [[nodiscard]] const Format& formatOf(const std::filesystem::path& path);
 
-/// The format to write a file of this name in, known by its extension. A device or pipe without
-/// one, as /dev/stdout, gets the first format there is for this content.
+/// The format to write a file of this name in, known by its extension; of several that share it, as
+/// .txt, that of the file which is there, else the first. A device or pipe without extension, as
+/// /dev/stdout, gets the first format there is for this content.
 /// @throws Error if there is none for this content; the message lists those there are
 [[nodiscard]] const Format& formatToWrite(const std::filesystem::path& path, Content content);
 
@@ -136,5 +137,9 @@ void writeStructure(const std::filesystem::path& path, const Skeleton& skeleton)
 /// @throws Error also if the structure has no positions, and the format needs them
 void writeStructure(const std::filesystem::path& path, const Structure& structure,
                     MtgStyle style = MtgStyle::plantNode);
+
+/// The same in a format that was chosen. pre: it is one that structures are written in
+void writeStructure(const std::filesystem::path& path, const Structure& structure,
+                    const Format& format, MtgStyle style = MtgStyle::plantNode);
 
 } // namespace espalier

@@ -3800,10 +3800,6 @@
         <translation>Convertir les marques en échelle</translation>
     </message>
     <message>
-        <source>letters, such as S or GU</source>
-        <translation>lettres, par exemple S ou GU</translation>
-    </message>
-    <message>
         <source>Class of the units</source>
         <translation>Classe des unités</translation>
     </message>
@@ -3820,8 +3816,28 @@
         <translation>%1 (échelle %2)</translation>
     </message>
     <message>
-        <source>Makes %1 units of scale %2 from %3 marks: one begins at each mark, at each root, and wherever a coarser unit begins. Finer scales move down by one.</source>
-        <translation>Fait %1 unités d’échelle %2 à partir de %3 marques&#xa0;: une commence à chaque marque, à chaque racine, et partout où commence une unité plus grossière. Les échelles plus fines descendent d’un rang.</translation>
+        <source>such as S or GU</source>
+        <translation>p.&#xa0;ex. S ou GU</translation>
+    </message>
+    <message>
+        <source>1 unit</source>
+        <translation>1 unité</translation>
+    </message>
+    <message>
+        <source>%1 units</source>
+        <translation>%1 unités</translation>
+    </message>
+    <message>
+        <source>1 mark</source>
+        <translation>1 marque</translation>
+    </message>
+    <message>
+        <source>%1 marks</source>
+        <translation>%1 marques</translation>
+    </message>
+    <message>
+        <source>Makes %1 of scale %2 from %3: one begins at each mark, at each root, and wherever a coarser unit begins. Finer scales move down by one.</source>
+        <translation>Fait %1 d’échelle %2 à partir de %3&#xa0;: une commence à chaque marque, à chaque racine et partout où commence une unité plus grossière. Les échelles plus fines descendent d’un rang.</translation>
     </message>
 </context>
 <context>
@@ -4256,6 +4272,10 @@
     <message>
         <source>Redone: %1</source>
         <translation>Rétabli&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Take points for no wood</source>
+        <translation>Prendre des points pour autre chose que du bois</translation>
     </message>
 </context>
 <context>
@@ -5185,6 +5205,10 @@
     <message>
         <source>Canceled: nothing has changed</source>
         <translation>Annulé&#xa0;: rien n’a changé</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>%1 exporté</translation>
     </message>
 </context>
 <context>
@@ -8081,6 +8105,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <source>Enter: attach %1 to %2   Arrow keys: to another   Click the new parent   Esc: leave it</source>
         <translation>Entrée&#xa0;: rattacher %1 à %2   Flèches&#xa0;: à un autre   Cliquer le nouveau parent   Échap&#xa0;: laisser</translation>
     </message>
+    <message>
+        <source>Not there: it grows from %1   Choose a parent elsewhere   Esc: leave it</source>
+        <translation>Pas là&#xa0;: cela part de %1   Choisir un parent ailleurs   Échap&#xa0;: laisser</translation>
+    </message>
 </context>
 <context>
     <name>espalier::ReportFlow</name>
@@ -8400,6 +8428,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>. Here: risk %1 %</source>
         <translation>. Ici&#xa0;: risque %1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Undone: Take points for no wood</source>
+        <translation>Annulé&#xa0;: Prendre des points pour autre chose que du bois</translation>
     </message>
 </context>
 <context>
@@ -8807,8 +8839,12 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>%1 nœuds sur %2 ne sont pas révisés, dont %3 douteux&#xa0;: {next_not_reviewed} mène au suivant</translation>
     </message>
     <message>
-        <source>Not signed: only a project can carry a seal.</source>
-        <translation>Pas signée&#xa0;: seul un projet peut porter un sceau.</translation>
+        <source>Not signed yet. A project keeps the seal, a file does not.</source>
+        <translation>Pas encore signée. Un projet garde le sceau, un fichier non.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 nodes are doubtful: {next_not_reviewed} goes to the next</source>
+        <translation>%1 nœuds sur %2 sont douteux&#xa0;: {next_not_reviewed} mène au suivant</translation>
     </message>
 </context>
 <context>

@@ -96,6 +96,16 @@ QString filterOf(MtgStyle style) {
              : FileFlow::tr("MTG of plant and nodes, as PlantScan3D writes (*.mtg)");
 }
 
+const Format& formatChosen(const QString& filter, const QString& path) {
+  for (const Format& format : formats()) {
+    const bool isMtg = format.name == "MTG" && (filter == filterOf(MtgStyle::plantNode) ||
+                                                filter == filterOf(MtgStyle::plantAxisNode));
+    if (format.writeStructure == nullptr || !(isMtg || filter == filterOf(format))) continue;
+    if (extensionsIn(filter).contains(extensionOf(path, writableFilters(true)))) return format;
+  }
+  return formatToWrite(toPath(path), Content::structure);
+}
+
 QString filterFor(const QString& path, const QStringList& filters) {
   const QString extension = extensionOf(path, filters);
   const auto found = std::ranges::find_if(

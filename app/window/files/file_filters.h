@@ -36,6 +36,10 @@ inline const QString folderKey = QStringLiteral("last_folder");
 /// The first of the kinds that a file of this name can be of; the first of all if none fits.
 [[nodiscard]] QString filterFor(const QString& path, const QStringList& filters);
 
+/// The format of the kind that was chosen, if a file of this name can be of it; else that of the
+/// name. @throws Error as formatToWrite
+[[nodiscard]] const Format& formatChosen(const QString& filter, const QString& path);
+
 /// A file name with an extension of this kind of file: its own if it has one.
 /// @param before  the kind it was of, whose extension goes as a whole: ".lines.obj"
 [[nodiscard]] QString withExtensionOf(const QString& filter, const QString& path,

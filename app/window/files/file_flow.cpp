@@ -219,7 +219,7 @@ bool FileFlow::saveAs() {
 void FileFlow::exportStructure() {
   const Target target = chooseTarget(tr("Export the structure"));
   if (target.path.isEmpty()) return;
-  write(target);
+  write(target, tr("Exported %1"));
 }
 
 MtgStyle FileFlow::preferredStyle() const {
@@ -249,6 +249,7 @@ FileFlow::Target FileFlow::chooseTarget(const QString& title) {
   Target target{dialog.selectedFiles().front(), preferredStyle()};
   for (const MtgStyle style : {MtgStyle::plantNode, MtgStyle::plantAxisNode})
     if (dialog.selectedNameFilter() == filterOf(style)) target.style = style;
+  target.format = &formatChosen(dialog.selectedNameFilter(), target.path);
   parts_.settings.setValue(axesKey, target.style == MtgStyle::plantAxisNode);
   return target;
 }
@@ -277,7 +278,9 @@ bool FileFlow::mayDiscard() {
                   &parts_.window);
   const QString path = parts_.document.filePath();
   const QStringList dropped =
-      isNamed || !canBeSavedTo(path) ? QStringList() : droppedBySavingTo(path);
+      isNamed || !canBeSavedTo(path)
+          ? QStringList()
+          : droppedBySavingAs(formatToWrite(toPath(path), Content::structure));
   box.setInformativeText((QStringList(tr("They are lost otherwise")) + dropped).join(".\n") + ".");
   QPushButton* save = box.addButton(tr("Save"), QMessageBox::AcceptRole);
   QPushButton* project =
@@ -354,13 +357,16 @@ bool FileFlow::reportFit(const ScanFit& fit, QStringList notes) {
   return true;
 }
 
-void FileFlow::write(const Target& target) {
+void FileFlow::write(const Target& target, const QString& note) {
   const auto path = toPath(target.path);
   removeLeftovers(placeOf(path).parent_path());
-  writeStructure(path, parts_.document.structure(), target.style);
+  const Format& format =
+      target.format != nullptr ? *target.format : formatToWrite(path, Content::structure);
+  writeStructure(path, parts_.document.structure(), format, target.style);
   emit outdated(); // of what kept it from being saved before
-  emit noted(tr("Saved %1").arg(QFileInfo(target.path).fileName()));
-  noteDropped(target.path);
+  emit noted(note.arg(QFileInfo(target.path).fileName()));
+  const QStringList dropped = droppedBySavingAs(format);
+  if (!dropped.isEmpty()) emit reported({.text = dropped.join('\n')});
 }
 
 void FileFlow::writeTo(const Target& target) {
@@ -372,7 +378,7 @@ void FileFlow::writeTo(const Target& target) {
     std::filesystem::copy_file(toPath(path), toPath(path + "~"),
                                std::filesystem::copy_options::overwrite_existing, ignored);
   }
-  write(target);
+  write(target, tr("Saved %1"));
   saved_ = target;
   if (!canBeSavedTo(path))
     return; // lines or a table, as other programs want: the plant is not kept
@@ -381,17 +387,14 @@ void FileFlow::writeTo(const Target& target) {
   parts_.recent.add(path);
 }
 
-QStringList FileFlow::droppedBySavingTo(const QString& path) const {
+QStringList FileFlow::droppedBySavingAs(const Format& format) const {
   QStringList sentences;
-  const Format& format = formatToWrite(toPath(path), Content::structure);
-  for (const ShownMessage& sentence : droppedBy(format, parts_.document.structure()))
-    sentences.append(shownText(sentence));
+  for (const ShownMessage& sentence : droppedBy(format, parts_.document.structure())) {
+    QString text = shownText(sentence);
+    text[0] = text[0].toUpper(); // "node list keeps no ..."
+    sentences.append(text);
+  }
   return sentences;
-}
-
-void FileFlow::noteDropped(const QString& path) {
-  const QStringList notes = droppedBySavingTo(path);
-  if (!notes.isEmpty()) emit reported({.text = notes.join('\n')});
 }
 
 } // namespace espalier

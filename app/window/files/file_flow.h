@@ -22,6 +22,7 @@ class ActionSet;
 class JobSlot;
 class PlantDocument;
 class RecentFiles;
+struct Format;
 
 /// Opening and saving: the dialogs, the jobs, and the question before unsaved work is lost.
 class FileFlow : public WindowPart {
@@ -136,13 +137,13 @@ private:
   struct Target {
     QString path; // empty: none was chosen
     MtgStyle style = MtgStyle::plantNode;
+    const Format* format = nullptr; // null: as the name says
   };
   [[nodiscard]] MtgStyle preferredStyle() const; // as chosen last
   [[nodiscard]] Target chooseTarget(const QString& title);
-  void write(const Target& target);
-  void writeTo(const Target& target); // and counts as saved from then on
-  [[nodiscard]] QStringList droppedBySavingTo(const QString& path) const; // sentences
-  void noteDropped(const QString& path);
+  void write(const Target& target, const QString& note); // "Saved %1"
+  void writeTo(const Target& target);                    // and counts as saved from then on
+  [[nodiscard]] QStringList droppedBySavingAs(const Format& format) const; // sentences
 
   Parts parts_;
   Target saved_;       // where and how the skeleton was written last

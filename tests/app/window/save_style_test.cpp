@@ -63,6 +63,21 @@ TEST_F(SaveStyleTest, SavingAgainKeepsTheFormOfTheFile) {
       << "a copy in another form changes nothing";
 }
 
+TEST_F(SaveStyleTest, TheTypeOfFileDecidesWhereOthersHaveTheSameExtension) {
+  open({writeFork("fork.mtg")});
+  const auto formatWritten = [this](const QString& name) { return formatOf(toPath(path(name))).name; };
+  answer(chooseAs("TreeQSM", path("table.txt")), [this] { action("export_structure").trigger(); });
+  EXPECT_EQ(formatWritten("table.txt"), "QSM table");
+  EXPECT_EQ(window().statusLine().shownText(), "Exported table.txt");
+  answer(chooseAs("RayCloudTools", path("tree.txt")),
+         [this] { action("export_structure").trigger(); });
+  EXPECT_EQ(formatWritten("tree.txt"), "treefile");
+  open({path("table.txt")});
+  edit();
+  expectNoDialog([this] { action("save").trigger(); });
+  EXPECT_EQ(formatWritten("table.txt"), "QSM table") << "it stays what it was";
+}
+
 TEST_F(SaveStyleTest, TheFormChosenLastIsProposedNextTime) {
   open({writeFork("fork.txt")});
   answer(chooseAs("plant, axes and nodes", path("axes.mtg")),

@@ -294,6 +294,21 @@ TEST(FormatToWrite, NamesTheExtensionsThereAre) {
               HasSubstr("PLY (.ply), XYZ ("));
 }
 
+TEST(FormatToWrite, IsThatOfTheFileWhichIsThereWhereSeveralShareAnExtension) {
+  const fs::path path = test::freshFolder() / "oak.txt";
+  for (const Format& format : formats()) {
+    if (format.writeStructure == nullptr || !format.canRead()) continue;
+    if (std::ranges::find(format.extensions, "txt") == format.extensions.end()) continue;
+    writeStructure(path, Structure{.skeleton = test::fork(3), .frame = {}}, format);
+    EXPECT_EQ(formatToWrite(path, Content::structure).name, format.name);
+    EXPECT_EQ(formatToWrite(path, Content::points).name, "XYZ");
+  }
+  std::ofstream(path) << "1 2 3\n4 5 6\n";
+  EXPECT_EQ(formatToWrite(path, Content::structure).name, "node list") << "points are none";
+  std::ofstream(path, std::ios::trunc).close();
+  EXPECT_EQ(formatToWrite(path, Content::structure).name, "node list");
+}
+
 // The branch comes before the successor: lines of MTG text have them the other way round.
 TEST(ReadStructure, GivesAnMtgThatCameWithoutATextOneThatKeepsItsIds) {
   const std::filesystem::path file = test::freshFolder() / "plant.opf";

@@ -6,6 +6,7 @@
 #include "app/window/frame/action_set.h"
 #include "app/window/preview/preview_flow.h"
 #include "app/window/review/asking_flow.h"
+#include "app/window/review/review_flow.h"
 #include "app/window/view/shown_flow.h"
 #include "ui/document/plant_document.h"
 #include "ui/view/plant_view.h"
@@ -38,6 +39,7 @@ EditFlow::EditFlow(PlantDocument& document, ActionSet& actions)
 void EditFlow::join(const Later& later) {
   later_.emplace(later);
   connect(&later.registration, &RegistrationFlow::changed, this, &EditFlow::refreshHistory);
+  connect(&later.review, &ReviewFlow::takenChanged, this, &EditFlow::refreshHistory);
   connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &EditFlow::noteStep);
 }
 
@@ -62,25 +64,30 @@ void EditFlow::addHistory() {
   redo->setEnabled(false);
   for (auto signal : {&QUndoStack::canUndoChanged, &QUndoStack::canRedoChanged})
     connect(&stack, signal, this, &EditFlow::refreshHistory);
-  connect(&stack, &QUndoStack::undoTextChanged, undo, [undo](const QString& step) {
-    undo->setText(step.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(step));
-  });
-  connect(&stack, &QUndoStack::redoTextChanged, redo, [redo](const QString& step) {
-    redo->setText(step.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(step));
-  });
+  for (auto signal : {&QUndoStack::undoTextChanged, &QUndoStack::redoTextChanged})
+    connect(&stack, signal, this, &EditFlow::refreshHistory);
 }
 
 void EditFlow::refreshHistory() {
   const QUndoStack& stack = document_.undoStack();
   const bool isRegistering = later_ && later_->registration.isActive();
-  actions_["undo"]->setEnabled(isRegistering ? later_->registration.hasWork() : stack.canUndo());
-  actions_["redo"]->setEnabled(!isRegistering && stack.canRedo());
+  const bool hasTaken = later_ && later_->review.hasTakenPoints();
+  QAction* undo = actions_["undo"];
+  QAction* redo = actions_["redo"];
+  undo->setEnabled(isRegistering ? later_->registration.hasWork() : stack.canUndo() || hasTaken);
+  redo->setEnabled(!isRegistering && stack.canRedo());
+  const QString undone = hasTaken ? tr("Take points for no wood") : stack.undoText();
+  const QString redone = stack.redoText();
+  undo->setText(undone.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(undone));
+  redo->setText(redone.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(redone));
 }
 
 void EditFlow::undo() {
   if (later_->registration.isActive()) return later_->registration.removeLast();
   Editing& editing = later_->editing;
   if (!editing.isPending() && later_->asking.isRestShown()) return later_->asking.stopAsking();
+  if (!editing.isPending() && later_->review.hasTakenPoints())
+    return later_->review.takePointsBack();
   if (editing.isPending() || !endsPreview(document_.undoStack().index() - 1)) editing.undo();
 }
 

@@ -13,6 +13,7 @@ class PlantDocument;
 class PreviewFlow;
 class ProjectFlow;
 class RegistrationFlow;
+class ReviewFlow;
 class ShownFlow;
 
 /// What is edited by no tool: undo and redo, all that can be selected, and Escape.
@@ -30,6 +31,7 @@ public:
     const ProjectFlow& projects;
     RegistrationFlow& registration;
     AskingFlow& asking;
+    ReviewFlow& review;
   };
   void join(const Later& later);
 

@@ -172,7 +172,10 @@ void MainWindow::makeReview() {
           document_, *view_, *actions_, editing, settings_, *this, reveal(),
           [this]() -> const std::vector<NodeId>& { return parts_.get<ShownFlow>().hidden(); },
           errors, isLeftOut,
-          [this](const Finding& finding) { parts_.get<FindingsFlow>().ignore(finding); }},
+          [this](const Finding& finding, bool isIgnored) {
+            auto& findings = parts_.get<FindingsFlow>();
+            isIgnored ? findings.ignore(finding) : findings.stopIgnoring(finding);
+          }},
       (*actions_)["sign_structure"]);
   const PanelDock::Parts window{*actions_, settings_, *this};
   parts_.make<ShownFlow>(ShownFlow::Parts{document_, *view_, *actions_, editing, window});
@@ -289,7 +292,7 @@ void MainWindow::joinEdits() {
   auto& shown = parts_.get<ShownFlow>();
   auto& registration = parts_.get<RegistrationFlow>();
   parts_.get<EditFlow>().join({editing, parts_.get<PreviewFlow>(), shown, parts_.get<ProjectFlow>(),
-                               registration, parts_.get<AskingFlow>()});
+                               registration, parts_.get<AskingFlow>(), parts_.get<ReviewFlow>()});
   connect(&points, &PointsFlow::changed, &shown,
           [this, &shown] { shown.setPointsIsolated(parts_.get<PointStates>().isIsolated()); });
   connect(&registration, &RegistrationFlow::begun, this, &MainWindow::refreshEnabled);

@@ -192,7 +192,9 @@ void ReviewPanel::addAxes(QVBoxLayout& column) {
   axes_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Fixed);
   axes_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
   axes_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Fixed);
-  axes_->horizontalHeader()->resizeSection(2, 46);
+  constexpr int margins = 10;
+  axes_->horizontalHeader()->resizeSection(2, margins +
+                                                  axes_->fontMetrics().horizontalAdvance("? 99 %"));
   axes_->horizontalHeader()->setHighlightSections(false);
   column.addWidget(axes_, 1);
   const auto choose = [this](const QModelIndex& index) {

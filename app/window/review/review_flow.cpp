@@ -168,16 +168,24 @@ void ReviewFlow::connectParts() {
   for (auto signal : {&PlantDocument::skeletonReplaced, &PlantDocument::readOnlyChanged})
     connect(&document, signal, this, &ReviewFlow::refreshEnabled);
   connect(&document, &PlantDocument::skeletonEdited, this, &ReviewFlow::refreshEnabled);
+  again_.setSingleShot(true);
+  again_.setInterval(100); // [ms]: a drag is described when it rests
+  connect(&again_, &QTimer::timeout, this, &ReviewFlow::describeAgain);
+  connect(&document, &PlantDocument::skeletonEdited, &again_, qOverload<>(&QTimer::start));
+  connect(&parts_.errors, &ExpectedErrorsFlow::changed, &again_, qOverload<>(&QTimer::start));
+  connect(&document.undoStack(), &QUndoStack::indexChanged, this, &ReviewFlow::followSteps);
   connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
     at_.clear();
     atPoints_.clear();
     doubted_.clear();
     awaited_.reset();
+    forgetTaken();
   });
   for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged})
     connect(&document, signal, this, [this] { // points have other numbers
       atPoints_.clear();
       awaited_.reset();
+      forgetTaken();
       showPlace();
     });
   connect(dock_, &PanelDock::shown, &parts_.errors, &ExpectedErrorsFlow::setWanted);

@@ -6,6 +6,7 @@
 
 #include <QList>
 #include <QString>
+#include <QTimer>
 
 #include <functional>
 #include <optional>
@@ -50,7 +51,7 @@ public:
     std::function<const std::vector<NodeId>&()> hidden; // in order
     ExpectedErrorsFlow& errors;
     std::function<bool(const Finding&)> isIgnored; // of points without wood: they are looked at
-    std::function<void(const Finding&)> ignore;
+    std::function<void(const Finding&, bool)> setIgnored;
   };
   /// @param sign  the action that the panel offers at its foot
   ReviewFlow(const Parts& parts, QAction* sign);
@@ -62,8 +63,13 @@ public:
   [[nodiscard]] const QString& reviewer() const { return reviewer_; }
   void setReviewer(const QString& name);
 
+  /// Whether the last that was done is that points were taken for no wood.
+  [[nodiscard]] bool hasTakenPoints() const;
+  void takePointsBack(); // the last of them; pre: hasTakenPoints()
+
 signals:
   void reviewerChanged(const QString& name);
+  void takenChanged();
 
 private:
   void addWalkActions();
@@ -79,6 +85,8 @@ private:
   void goOnWaiting();
   void chooseOrder(bool isByError);
   void goTo(const std::vector<ReviewStop>& all, std::size_t index);
+  void describe(const std::vector<ReviewStop>& all, const ReviewStop& stop);
+  void describeAgain();
   [[nodiscard]] QString whyRisky(const ReviewStop& stop) const;
   void goToPoints(const ReviewStop& stop);
   [[nodiscard]] QString frame(const std::vector<NodeId>& nodes,
@@ -86,6 +94,8 @@ private:
   [[nodiscard]] std::vector<Eigen::Vector3d> placesAt() const; // of the points one is at
   [[nodiscard]] bool isAtPoints() const;
   void takePoints();
+  void followSteps(int index); // of the undo stack
+  void forgetTaken();
   void markReviewed();
   void markDoubtful();
   void goOnAfter(bool wasDoubtful);
@@ -110,10 +120,17 @@ private:
   std::vector<NodeId> at_;        // where one is; may hold nodes that are gone
   std::vector<Finding> atPoints_; // clusters of points, and at_ has the node near them
   std::vector<Finding> doubted_;  // points that are doubtful, until the program ends
+  struct Taken {
+    int index = 0; // of the undo stack when it was done
+    std::vector<Finding> points;
+  };
+  std::vector<Taken> taken_; // for no wood
+  int index_ = 0;            // of the undo stack
   WalkOrder order_ = WalkOrder::alongPlant;
   std::optional<std::pair<WalkTo, WalkDirection>> awaited_; // once errors are known
   QString placeText_;                                       // of at_
   QString whyText_;                                         // likewise
+  QTimer again_;                 // describes the stop once an edit is over
   bool isDoubtAskedFor_ = false; // of what is selected: Enter takes it back
   bool isFading_ = false;        // all but at_, while it is what is selected
   bool isEnabled_ = true;

@@ -120,8 +120,7 @@ QString ReviewFlow::leftText(const std::vector<ReviewStop>& all) const {
                      : tr("%1 stops left").arg(formatCount(left));
 }
 
-void ReviewFlow::goTo(const std::vector<ReviewStop>& all, std::size_t index) {
-  const ReviewStop& stop = all[index];
+void ReviewFlow::describe(const std::vector<ReviewStop>& all, const ReviewStop& stop) {
   placeText_ = leftText(all);
   if (stop.isAtPoints())
     placeText_ += tr(". Here: no wood");
@@ -130,6 +129,24 @@ void ReviewFlow::goTo(const std::vector<ReviewStop>& all, std::size_t index) {
   else if (parts_.errors.now() != nullptr && stop.length > 0)
     placeText_ += tr(". Here: risk %1 %").arg(qRound(100 * stop.wrong / stop.length));
   whyText_ = whyRisky(stop);
+}
+
+/// After an edit, an undo, or other errors: the stop one is at may be another, and others be left.
+void ReviewFlow::describeAgain() {
+  if (!dock_->isInFront() || (at_.empty() && atPoints_.empty())) return;
+  const std::vector<ReviewStop> all = stops();
+  if (const std::optional<std::size_t> here = placeIn(all)) {
+    describe(all, all[*here]);
+  } else {
+    placeText_ = leftText(all);
+    whyText_.clear();
+  }
+  showPlace();
+}
+
+void ReviewFlow::goTo(const std::vector<ReviewStop>& all, std::size_t index) {
+  const ReviewStop& stop = all[index];
+  describe(all, stop);
   if (stop.isAtPoints()) return goToPoints(stop);
   const bool wasAtPoints = !std::exchange(atPoints_, {}).empty();
   if (wasAtPoints) parts_.document.pointSelection().clear();
@@ -206,8 +223,10 @@ void ReviewFlow::takePoints() {
   const std::vector<ReviewStop> all = stops();
   const auto from = placeIn(all);
   const auto next = walk(parts_.document.skeleton(), all, from, WalkTo::toDo);
-  for (const Finding& cluster : std::vector<Finding>(atPoints_))
-    parts_.ignore(cluster);
+  taken_.push_back({.index = index_, .points = atPoints_});
+  for (const Finding& cluster : taken_.back().points)
+    parts_.setIgnored(cluster, true);
+  emit takenChanged();
   if (!next || next == from) return goOnAfter(false);
   const std::vector<ReviewStop> left = stops();
   const auto there = std::ranges::find_if(left, [&](const ReviewStop& stop) {
@@ -215,6 +234,37 @@ void ReviewFlow::takePoints() {
   });
   if (there == left.end()) return goOnAfter(false);
   goTo(left, static_cast<std::size_t>(there - left.begin()));
+}
+
+bool ReviewFlow::hasTakenPoints() const {
+  return !taken_.empty() && taken_.back().index == index_;
+}
+
+void ReviewFlow::takePointsBack() {
+  const std::vector<Finding> last = std::move(taken_.back().points);
+  taken_.pop_back();
+  for (const Finding& cluster : last)
+    parts_.setIgnored(cluster, false);
+  emit takenChanged();
+  const std::vector<ReviewStop> all = stops();
+  const ExpectedErrors* known = parts_.errors.now();
+  const auto there = std::ranges::find_if(all, [&](const ReviewStop& stop) {
+    return std::ranges::any_of(
+        stop.clusters, [&](std::size_t i) { return isSame(known->clusters[i], last.front()); });
+  });
+  if (there != all.end()) goTo(all, static_cast<std::size_t>(there - all.begin()));
+  emit noted(tr("Undone: Take points for no wood"));
+}
+
+/// What was done behind a step that is made anew is none of what led here.
+void ReviewFlow::followSteps(int index) {
+  if (index > std::exchange(index_, index))
+    std::erase_if(taken_, [index](const Taken& one) { return one.index >= index; });
+  emit takenChanged();
+}
+
+void ReviewFlow::forgetTaken() {
+  if (!std::exchange(taken_, {}).empty()) emit takenChanged();
 }
 
 /// Shows nodes with some of what is around them, from their best side.
@@ -255,6 +305,7 @@ void ReviewFlow::goOnAfter(bool wasDoubtful) {
   const std::size_t nodes = all.nodes[static_cast<std::size_t>(ReviewState::doubtful)];
   const std::vector<ReviewStop> left = stops();
   placeText_ = leftText(left);
+  whyText_.clear();
   showPlace();
   const bool hasPoints = std::ranges::any_of(left, &ReviewStop::isDoubtful);
   if (wasDoubtful || (nodes == 0 && !hasPoints)) return step(WalkTo::notReviewed);

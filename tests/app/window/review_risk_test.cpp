@@ -86,6 +86,47 @@ TEST_F(ReviewByRiskTest, TakesWhatIsCleanWholeAndStopsAtPointsWithoutWood) {
     EXPECT_FALSE(isAtPoints()) << "they are taken for no wood";
 }
 
+TEST_F(ReviewByRiskTest, UndoBringsPointsBackThatWereTakenForNoWood) {
+  walkToPoints();
+  ASSERT_TRUE(isAtPoints());
+  EXPECT_FALSE(action("undo").text().contains("no wood"));
+  const PointSet points = document().pointSelection().points();
+  const int steps = document().undoStack().index();
+  const QString left = label("review_place");
+  key(Qt::Key_Return);
+  EXPECT_FALSE(isAtPoints());
+  EXPECT_TRUE(action("undo").text().contains("Take points for no wood"));
+  key(Qt::Key_Return); // marks what comes next
+  ASSERT_EQ(document().undoStack().index(), steps + 1);
+  EXPECT_FALSE(action("undo").text().contains("no wood"));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(document().undoStack().index(), steps);
+  EXPECT_FALSE(isAtPoints());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(document().undoStack().index(), steps) << "no other step is undone";
+  EXPECT_TRUE(isAtPoints());
+  EXPECT_EQ(document().pointSelection().points(), points);
+  EXPECT_EQ(label("review_place"), left);
+  EXPECT_EQ(window().statusLine().shownText(), "Undone: Take points for no wood");
+}
+
+TEST_F(ReviewByRiskTest, DescribesTheStopAsItIsAfterAnUndo) {
+  walkToPoints();
+  ASSERT_TRUE(isAtPoints());
+  document().selection().set({document().skeleton().roots().front()});
+  key(Qt::Key_Period);
+  const QString place = label("review_place");
+  const QString count = place.section(' ', 0, 0);
+  action("select_all").trigger();
+  action("mark_all_selected").trigger();
+  key(Qt::Key_Period);
+  EXPECT_NE(label("review_place").section(' ', 0, 0), count);
+  action("undo").trigger();
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return label("review_place").section(' ', 0, 0) == count; }, patience))
+      << label("review_place").toStdString();
+}
+
 TEST_F(ReviewByRiskTest, LeavesPointsInDoubtUntilOneComesBackToThem) {
   walkToPoints();
   ASSERT_TRUE(isAtPoints());

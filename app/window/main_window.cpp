@@ -6,6 +6,7 @@
 #include "app/window/frame/digit_keys.h"
 #include "app/window/frame/icon.h"
 #include "app/window/frame/key_hints.h"
+#include "app/window/frame/menu_keys.h"
 #include "app/window/frame/panel_dock.h"
 #include "app/window/frame/view_sync.h"
 #include "app/window/frame/window_log.h"
@@ -73,6 +74,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
 
   makeParts();
   new DigitKeys(*actions_, this);
+  new MenuKeys(this);
   fillMenus();
   fillToolBar();
   connectJobs();

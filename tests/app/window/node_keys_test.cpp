@@ -202,6 +202,26 @@ TEST_F(NodeKeysTest, ArrowsStepFromNodeToNodeAndEditsFollow) {
   EXPECT_TRUE(document().skeleton().contains(nodeAt({0, 0, 0})));
 }
 
+TEST_F(NodeKeysTest, BelongToAMenuThatIsOpen) {
+  view().setFocus();
+  QMenu menu(&window());
+  QMenu& inner = *menu.addMenu("Inner");
+  inner.addAction("One");
+  menu.popup(window().mapToGlobal(QPoint(40, 40)));
+  inner.popup(window().mapToGlobal(QPoint(140, 40))); // as by the pointer: nothing in it is current
+  const std::size_t nodes = document().skeleton().size();
+  const auto press = [this](Qt::Key key) { QTest::keyClick(window().windowHandle(), key); };
+  for (const Qt::Key key : {Qt::Key_Right, Qt::Key_Up, Qt::Key_N, Qt::Key_Delete})
+    press(key);
+  EXPECT_EQ(selected(), 0U);
+  EXPECT_EQ(document().skeleton().size(), nodes);
+  inner.close();
+  menu.close();
+  view().setFocus();
+  press(Qt::Key_Right);
+  EXPECT_EQ(selected(), 1U) << "they are those of the view again";
+}
+
 TEST_F(NodeKeysTest, ArrowsEndWithAWordAndTheViewFollows) {
   view().setFocus();
   key(Qt::Key_Up);

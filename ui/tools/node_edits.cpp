@@ -62,6 +62,19 @@ void newChild(PlantDocument& document, const NodeTarget& target) {
   document.selection().set(added);
 }
 
+/// The same, but not beyond the points: this key is pressed many times in a row.
+void extendAgain(PlantDocument& document, const NodeTarget& target) {
+  const Skeleton& skeleton = document.skeleton();
+  const auto isAtEndOfPoints = [&](NodeId id) {
+    const bool isEnd = skeleton[id].parent && skeleton.children(id).empty();
+    return isEnd && !alongThePoints(document, skeleton, id);
+  };
+  if (document.scan() && std::ranges::all_of(target.nodes, isAtEndOfPoints))
+    throw Error(
+        NodeEditText::tr("the points end here: New Child adds a node all the same").toStdString());
+  newChild(document, target);
+}
+
 void split(PlantDocument& document, const NodeTarget& target) {
   std::vector<NodeId> added;
   if (target.edge) {
@@ -274,7 +287,7 @@ std::vector<NodeEdit> nodeEdits() {
        .help = NodeEditText::tr("One more child of the node that was added last, or is selected"),
        .icon = "",
        .shortcut = Qt::Key_Space,
-       .apply = newChild,
+       .apply = extendAgain,
        .isOfSelected = true},
       {"extend_foot", NodeEditText::tr("Extend Foot"),
        NodeEditText::tr("Moves the root down along its stem, as far as its points go"), "",

@@ -38,8 +38,8 @@ struct NodeEditsTest : testing::Test {
 TEST_F(NodeEditsTest, AreEachUndoneAsOneStepWithTheNameOfTheNode) {
   openScan();
   const QStringList others = {"make_branching", // it branches already
-                              "center",         "extend_foot", "join", "swap_continuation",
-                              "merge"}; // refused
+                              "center",         "extend_again",      "extend_foot",
+                              "join",           "swap_continuation", "merge"}; // refused
   for (const NodeEdit& edit : nodeEdits()) {
     if (others.contains(edit.id) || edit.menu == pathMenu()) continue;
     edit.apply(document, {.nodes = {NodeId{3}}});
@@ -89,6 +89,36 @@ TEST_F(NodeEditsTest, LetANewChildTurnWithThePoints) {
   EXPECT_LT((newEdge - newEdge.dot(along) * along).norm(), 0.1)
       << "0.4 off if it had gone straight on";
   EXPECT_NEAR(newEdge.norm(), 1.31, 0.1) << "as far as edges are long in the mean";
+}
+
+// 4 of points above node 2: three edges.
+TEST_F(NodeEditsTest, ExtendAgainAndAgainAsFarAsThePointsGo) {
+  RawPoints raw;
+  for (int i = 0; i < 400; ++i)
+    raw.positions.emplace_back(Eigen::Vector3d(1, 0, 2) + 0.01 * i * Eigen::Vector3d(1, 0, 1) +
+                               Eigen::Vector3d(0.05 * std::cos(i), 0.05 * std::sin(i), 0));
+  document.setScan(std::make_unique<Scan>(PointCloud(raw)), "scan.ply");
+  NodeId end{2};
+  const auto extend = [&] {
+    apply("extend_again", {end});
+    end = document.selection().nodes().front();
+  };
+  int edges = 0;
+  for (; edges < 20; ++edges)
+    try {
+      extend();
+    } catch (const Error& error) {
+      EXPECT_EQ(std::string(error.what()),
+                "the points end here: New Child adds a node all the same");
+      break;
+    }
+  EXPECT_GE(edges, 3);
+  EXPECT_LE(edges, 6);
+  const Eigen::Vector3d tip = document.skeleton()[end].position;
+  EXPECT_LT((tip - Eigen::Vector3d(5, 0, 6)).norm(), 1);
+  EXPECT_LT(tip.z(), 6.1) << "not beyond them";
+  apply("new_child", {end});
+  EXPECT_GT(document.skeleton()[document.selection().nodes().front()].position.z(), tip.z());
 }
 
 TEST_F(NodeEditsTest, MarkUnitStartsAndTakeTheMarksOffAgain) {

@@ -21,6 +21,8 @@ QString ReparentNodeTool::hint() const {
   if (moving_.empty()) return tr("Drag a node onto its new parent, or click one after the other");
   const QString names = nodeNames(moving_);
   const std::optional<Pick> to = aim();
+  if (to && isCarried(*to))
+    return tr("Not there: it grows from %1   Choose a parent elsewhere   Esc: leave it").arg(names);
   if (isDragging_ && to && to->node)
     return tr("Release: attach %1 to %2   Esc: put it back").arg(names, nodeName(*to->node));
   if (isDragging_ && to)
@@ -114,7 +116,8 @@ void ReparentNodeTool::followSelection() {
   dropGone();
   if (moving_.empty() || isDragging_) return;
   isByKeys_ = true;
-  show(placeOf(aim()));
+  const std::optional<Pick> to = aim();
+  show(to && isCarried(*to) ? std::nullopt : placeOf(to));
   emit hintChanged();
 }
 
@@ -142,10 +145,15 @@ bool ReparentNodeTool::isTarget(const Pick& pick) const {
   return at && document().skeleton().contains(*at);
 }
 
+/// Whether what is attached carries that place, so that it cannot be attached there.
+bool ReparentNodeTool::isCarried(const Pick& target) const {
+  const NodeId at = target.node ? *target.node : target.edge->child;
+  return std::ranges::any_of(moving_,
+                             [&](NodeId id) { return document().skeleton().isAncestor(id, at); });
+}
+
 void ReparentNodeTool::attachTo(const Pick& target) {
-  const Skeleton& skeleton = document().skeleton();
-  const auto carries = [&](NodeId id) { return skeleton.isAncestor(id, target.edge->child); };
-  if (target.edge && std::ranges::any_of(moving_, carries))
+  if (target.edge && isCarried(target))
     throw Error(
         tr("a branch cannot be attached to itself: choose a place outside it").toStdString());
   const QString names = nodeNames(moving_);
@@ -197,6 +205,7 @@ std::optional<Eigen::Vector3d> ReparentNodeTool::placeOf(const std::optional<Pic
 
 void ReparentNodeTool::preview(const ToolInput& input) {
   const std::optional<Pick> to = aim();
+  if (to && isCarried(*to)) return show(std::nullopt);
   if (to || !isDragging_ || moving_.empty()) return show(placeOf(to));
   const Eigen::Vector3d& from = document().skeleton()[moving_.front()].position;
   show(meet(screenPlane(from, input), input));

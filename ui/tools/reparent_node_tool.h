@@ -32,6 +32,7 @@ private:
   bool press(const ToolInput& input);
   bool release(const ToolInput& input);
   void take(const std::vector<NodeId>& nodes);
+  [[nodiscard]] bool isCarried(const Pick& target) const; // pre: isTarget(target)
   void attachTo(const Pick& target);
   void followSelection();
   void dropGone();                               // nodes that an edit has removed

@@ -47,6 +47,9 @@ public:
   /// Leaves the gesture with nothing changed, and drops the preview.
   virtual void cancel() {}
 
+  /// It is used from now on, while this is under the pointer.
+  void enter(const Pick& under) { under_ = under; }
+
   /// Another tool is used now: takes away what it shows under the pointer.
   virtual void leave() {}
 

@@ -230,6 +230,7 @@ void Editing::useTool(const QString& id, bool startsWithNodes) {
     Tool& before = *tools_.at(left);
     if (before.isBusy() || before.hasPreview() || !before.result().isEmpty()) before.cancel();
     before.leave();
+    tools_.at(id)->enter(under_);
     canvas_.showBand({}); // of the tool before
   }
   tool_ = id;

@@ -66,6 +66,9 @@ TEST_F(ReparentNodeToolTest, AttachesSeveralNodesAtOnce) {
 
 TEST_F(ReparentNodeToolTest, RefusesADescendantAndLetsOneTryAgain) {
   tool.startWith({test::forkTop});
+  mouse.hover(onNode(NodeId{2}), {1, 2});
+  EXPECT_TRUE(tool.hint().startsWith("Not there: it grows from node 1")) << qPrintable(tool.hint());
+  EXPECT_TRUE(canvas.preview.lines.empty()) << "no edge is promised";
   EXPECT_THROW(mouse.press(onNode(NodeId{2}), {1, 2}), Error);
   EXPECT_EQ(document.skeleton(), test::fork(3));
   EXPECT_TRUE(tool.isBusy());
@@ -171,6 +174,8 @@ TEST_F(ReparentNodeToolTest, GivesTheEdgeItIsAttachedToANode) {
 
 TEST_F(ReparentNodeToolTest, RefusesAnEdgeThatTheBranchCarries) {
   tool.startWith({test::forkTop});
+  mouse.hover(test::onEdge(document.skeleton(), NodeId{3}, 0.5), {0, 2});
+  EXPECT_TRUE(tool.hint().startsWith("Not there")) << qPrintable(tool.hint());
   EXPECT_THROW(mouse.press(test::onEdge(document.skeleton(), NodeId{3}, 0.5), {0, 2}), Error);
   EXPECT_EQ(document.skeleton(), test::fork(3));
 }

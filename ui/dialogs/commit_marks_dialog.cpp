@@ -40,7 +40,7 @@ CommitMarksDialog::CommitMarksDialog(PlantDocument& document, QWidget* parent)
   setManualPlace(*this, QStringLiteral("correct.md#scales-by-hand"));
   setWindowTitle(tr("Commit Marks to a Scale"));
   symbol_->setObjectName("unit_class");
-  symbol_->setPlaceholderText(tr("letters, such as S or GU"));
+  symbol_->setPlaceholderText(tr("such as S or GU"));
   place_->setObjectName("unit_place");
   outcome_->setObjectName("unit_outcome");
   outcome_->setWordWrap(true);
@@ -87,12 +87,13 @@ void CommitMarksDialog::refresh() {
   const int finer = place_->currentData().toInt();
   const std::size_t units = startsOfNewUnits(skeleton, finer).size();
   const std::size_t marks = markedNodes(skeleton).size();
-  outcome_->setText(
-      tr("Makes %1 units of scale %2 from %3 marks: one begins at each mark, at each root, and "
-         "wherever a coarser unit begins. Finer scales move down by one.")
-          .arg(formatCount(units))
-          .arg(finer)
-          .arg(formatCount(marks)));
+  const QString made = units == 1 ? tr("1 unit") : tr("%1 units").arg(formatCount(units));
+  const QString from = marks == 1 ? tr("1 mark") : tr("%1 marks").arg(formatCount(marks));
+  outcome_->setText(tr("Makes %1 of scale %2 from %3: one begins at each mark, at each root, and "
+                       "wherever a coarser unit begins. Finer scales move down by one.")
+                        .arg(made)
+                        .arg(finer)
+                        .arg(from));
   commit_->setEnabled(!symbol_->text().trimmed().isEmpty() && marks > 0);
 }
 

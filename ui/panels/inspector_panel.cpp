@@ -179,7 +179,8 @@ void InspectorPanel::showNode(NodeId id) {
   order_->setText(QString::number(order(skeleton, id)));
   children_->setText(QString::number(skeleton.children(id).size()));
   position_->setText(describe(node.position));
-  edge_->setCurrentIndex(edge_->findData(QVariant::fromValue(node.edge)));
+  const int edge = edge_->findData(QVariant::fromValue(node.edge));
+  edge_->setCurrentIndex(node.parent ? edge : -1); // a root has none
   edge_->setEnabled(node.parent.has_value());
   parent_->setEnabled(node.parent.has_value());
   parent_->setText(node.parent ? tr("Node %1").arg(indexOf(*node.parent)) : tr("root"));

@@ -76,7 +76,8 @@ void SealFlow::setEnabled(bool isEnabled) {
 QString SealFlow::text() const {
   if (!seal_) {
     const bool isInFile = !parts_.projects.isNamed() && !parts_.document.filePath().isEmpty();
-    return isInFile ? tr("Not signed: only a project can carry a seal.") : tr("Not signed yet.");
+    return isInFile ? tr("Not signed yet. A project keeps the seal, a file does not.")
+                    : tr("Not signed yet.");
   }
   if (!isIntact())
     return (isBeforeSigned()
@@ -133,15 +134,18 @@ void SealFlow::requireReviewed(const Skeleton& plant) const {
   const ReviewCoverage seen = coverage(plant);
   if (seen.isComplete() || seen.totalNodes() == 0) return;
   const std::size_t doubtful = seen.nodes[static_cast<std::size_t>(ReviewState::doubtful)];
-  const QString left =
-      formatCount(seen.totalNodes() - seen.nodes[static_cast<std::size_t>(ReviewState::reviewed)]);
+  const std::size_t open =
+      seen.totalNodes() - seen.nodes[static_cast<std::size_t>(ReviewState::reviewed)];
+  const QString left = formatCount(open);
   const QString all = formatCount(seen.totalNodes());
   const QString text =
-      doubtful == 0 ? tr("%1 of %2 nodes are not reviewed: {next_not_reviewed} goes to the next")
-                          .arg(left, all)
-                    : tr("%1 of %2 nodes are not reviewed, %3 of them doubtful: "
-                         "{next_not_reviewed} goes to the next")
-                          .arg(left, all, formatCount(doubtful));
+      doubtful == open
+          ? tr("%1 of %2 nodes are doubtful: {next_not_reviewed} goes to the next").arg(left, all)
+      : doubtful == 0 ? tr("%1 of %2 nodes are not reviewed: {next_not_reviewed} goes to the next")
+                            .arg(left, all)
+                      : tr("%1 of %2 nodes are not reviewed, %3 of them doubtful: "
+                           "{next_not_reviewed} goes to the next")
+                            .arg(left, all, formatCount(doubtful));
   throw Error(withKeys(text, parts_.actions).toStdString());
 }
 

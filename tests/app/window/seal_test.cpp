@@ -69,7 +69,7 @@ TEST_F(SealWindowTest, IsRefusedUntilAllIsReviewed) {
   key(Qt::Key_Return);
   expectNoDialog([this] { action("sign_structure").trigger(); });
   EXPECT_EQ(message(), "3 of 5 nodes are not reviewed: Ctrl+. goes to the next");
-  EXPECT_EQ(seal(), "Not signed: only a project can carry a seal.");
+  EXPECT_EQ(seal(), "Not signed yet. A project keeps the seal, a file does not.");
 }
 
 TEST_F(SealWindowTest, BreaksByAnEditOnceAndIsMendedByUndo) {

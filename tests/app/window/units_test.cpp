@@ -55,7 +55,7 @@ TEST_F(UnitsWindowTest, MarksBecomeAScaleOfTheSavedFile) {
         commitAs("S")(dialog);
       },
       [this] { action("commit_marks").trigger(); });
-  EXPECT_TRUE(outcome.startsWith("Makes 2 units of scale 2 from 1 marks")) << outcome.toStdString();
+  EXPECT_TRUE(outcome.startsWith("Makes 2 units of scale 2 from 1 mark:")) << outcome.toStdString();
   EXPECT_EQ(document().undoStack().undoText(), "Commit the marks to S");
   EXPECT_FALSE(action("commit_marks").isEnabled());
   action("save").trigger();

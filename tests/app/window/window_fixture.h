@@ -20,7 +20,11 @@ namespace espalier::test {
 class WindowTest : public testing::Test {
 protected:
   /// A deadline for what would else run on for ever, not a measurement [ms].
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) // several times slower
+  static constexpr int patience = 300'000;
+#else
   static constexpr int patience = 60'000;
+#endif
 
   WindowTest();
   ~WindowTest() override;

@@ -27,7 +27,9 @@ void addKind(const PointCloud& cloud, const Progress& progress, nlohmann::ordere
                                                     PipelineOptions{.up = upIn(json)}, progress);
   if (!kind) return;
   const NamedPreset& preset = presetFor(kind->likely.kind);
-  json["kind"] = {{"likely", preset.label}, {"preset", preset.name}};
+  json["kind"] = {{"likely", preset.label},
+                  {"preset", preset.name},
+                  {"probability", rounded(kind->likely.probability)}};
   constexpr std::array names = {"wood", "petioles", "blades", "needles"};
   for (std::size_t i = 0; i < names.size(); ++i)
     json["kind"][names[i]] = rounded(kind->shares[i]);

@@ -1,15 +1,17 @@
 // Fits the odds of the kinds of plants, the numbers in core/clean/fitted_kind_odds.cpp, on
-// simulated scans (organ_scans.h), whose organs are found by the program, and shows on others how
-// often each kind is taken for each.
+// simulated scans, whose organs are found by the program, and shows on others how often each kind
+// is taken for each: on plants of all kinds (organ_scans.h), on trees and shrubs as other odds are
+// fitted on (simulated_scans.h), and on such with wide noise.
 //
 //   espalier_fit_kinds [--plants N] [--others M] [--first I]
 //
 // N plants, 440 if it is not said, from number 3001 on are fitted on, which espalier_fit_organs has
-// not seen; M, 220, from number I, 5001, on are judged by. With N 0 the numbers that are in the
-// program are judged.
+// not seen, N trees and shrubs, and half as many with noise; M, 220, from number I, 5001, on are
+// judged by, likewise. With N 0 the numbers that are in the program are judged.
 #include "core/clean/organs.h"
 #include "core/clean/plant_kind.h"
 #include "tests/bench/organ_scans.h"
+#include "tests/bench/simulated_scans.h"
 
 #include <algorithm>
 #include <array>
@@ -17,6 +19,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,10 +48,40 @@ Example exampleOf(std::uint64_t number) {
   return {kindFeatures(points, found.ofPoint, spacing), kindNamed(scan.kind)};
 }
 
-std::vector<Example> examplesFrom(std::uint64_t first, int plants) {
-  std::vector<Example> examples;
-  for (int i = 0; i < plants; ++i)
-    examples.push_back(exampleOf(first + static_cast<std::uint64_t>(i)));
+/// @return none of a herb, and of few points
+std::optional<Example> exampleOf(const ScannedPlant& plant) {
+  const auto is = [&](const char* name) { return plant.name.starts_with(name); };
+  const Eigen::Matrix3Xf& points = plant.cloud->positions();
+  if (plant.isLeafy || is("herb") || is("arabidopsis") || points.cols() < 200) return std::nullopt;
+  const double spacing = pointSpacing(points);
+  const FoundOrgans found = organsAmong(points, {}, spacing);
+  const PlantKind kind = plant.foliage == 0            ? PlantKind::bareTree
+                         : is("conifer") || is("puu3") ? PlantKind::needleTree
+                                                       : PlantKind::leafyTree;
+  return Example{kindFeatures(points, found.ofPoint, spacing), kind};
+}
+
+struct Examples {
+  std::vector<Example> ofAllKinds;
+  std::vector<Example> trees;
+  std::vector<Example> noisy;
+
+  [[nodiscard]] std::vector<Example> all() const {
+    std::vector<Example> all = ofAllKinds;
+    all.insert(all.end(), trees.begin(), trees.end());
+    all.insert(all.end(), noisy.begin(), noisy.end());
+    return all;
+  }
+};
+
+Examples examplesFrom(std::uint64_t first, std::uint64_t plants) {
+  Examples examples;
+  for (std::uint64_t number = first; number < first + plants; ++number) {
+    examples.ofAllKinds.push_back(exampleOf(number));
+    if (const auto tree = exampleOf(scannedPlant(number))) examples.trees.push_back(*tree);
+    if (number >= first + plants / 2) continue;
+    if (const auto noisy = exampleOf(noisyPlant(number))) examples.noisy.push_back(*noisy);
+  }
   return examples;
 }
 
@@ -176,12 +209,17 @@ int main(int argc, char** argv) {
   using namespace espalier;
   KindOdds odds = fittedKindOdds();
   if (plants > 0) {
-    const std::vector<Example> examples = examplesFrom(3001, plants);
+    const std::vector<Example> examples =
+        examplesFrom(3001, static_cast<std::uint64_t>(plants)).all();
     odds = fittedOn(examples);
     print(odds);
     std::printf("of those fitted on: ");
     judge(odds, examples);
   }
-  judge(odds, examplesFrom(static_cast<std::uint64_t>(first), others));
+  const Examples judged =
+      examplesFrom(static_cast<std::uint64_t>(first), static_cast<std::uint64_t>(others));
+  judge(odds, judged.ofAllKinds);
+  judge(odds, judged.trees);
+  judge(odds, judged.noisy);
   return 0;
 }

@@ -9,17 +9,22 @@
 
 #include <QAction>
 
+#include <algorithm>
 #include <cmath>
 
 namespace espalier {
 namespace {
 
-QString labelOf(const KindOfScan& kind) {
-  return shownText(presetFor(kind.likely.kind).label);
-}
-
 QString percentOf(double share) {
   return QString::number(std::lround(100 * share));
+}
+
+/// With how probable it is: "Herb (87 %)".
+QString labelOf(const KindOfScan& kind) {
+  const double most = 0.99; // it is a guess
+  return QStringLiteral("%1 (%2\u00a0%)")
+      .arg(shownText(presetFor(kind.likely.kind).label),
+           percentOf(std::min(kind.likely.probability, most)));
 }
 
 } // namespace

@@ -60,6 +60,8 @@ TEST_F(Subcommands, InfoSaysWhatThePlantProbablyIs) {
   const auto kind = nlohmann::json::parse(outcome.out)["kind"];
   EXPECT_EQ(kind["likely"], "Grass");
   EXPECT_EQ(kind["preset"], "grass");
+  EXPECT_GT(kind["probability"], 0.2); // of five
+  EXPECT_LE(kind["probability"], 1);
   EXPECT_GT(kind["blades"], 0.5);
   EXPECT_THAT(runProgram({"info", file("maize.ply")}).out, HasSubstr("kind.preset"));
 }

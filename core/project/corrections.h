@@ -42,9 +42,9 @@ inline constexpr std::int64_t longestPause = std::int64_t{5} * 60 * 1000;
 [[nodiscard]] bool madePlantAnew(const HistoryStep& step, std::size_t size);
 
 /// The work by hand that led to the present skeleton: the steps that are done, from the last one on
-/// that made the whole plant anew (madePlantAnew), which itself is no correction, nor is a step that
-/// moved, turned or scaled the plant as a whole. A clock that was set back between two steps adds
-/// nothing. O(all changes).
+/// that made the whole plant anew (madePlantAnew), which itself is no correction, nor is a step
+/// that moved, turned or scaled the plant as a whole. A clock that was set back between two steps
+/// adds nothing. O(all changes).
 [[nodiscard]] HandWork handWork(std::span<const HistoryStep> done, const Skeleton& skeleton);
 
 /// What edits by hand have decided of the nodes of the present skeleton, by id.

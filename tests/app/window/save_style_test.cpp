@@ -65,7 +65,9 @@ TEST_F(SaveStyleTest, SavingAgainKeepsTheFormOfTheFile) {
 
 TEST_F(SaveStyleTest, TheTypeOfFileDecidesWhereOthersHaveTheSameExtension) {
   open({writeFork("fork.mtg")});
-  const auto formatWritten = [this](const QString& name) { return formatOf(toPath(path(name))).name; };
+  const auto formatWritten = [this](const QString& name) {
+    return formatOf(toPath(path(name))).name;
+  };
   answer(chooseAs("TreeQSM", path("table.txt")), [this] { action("export_structure").trigger(); });
   EXPECT_EQ(formatWritten("table.txt"), "QSM table");
   EXPECT_EQ(window().statusLine().shownText(), "Exported table.txt");

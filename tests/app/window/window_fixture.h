@@ -30,15 +30,23 @@ protected:
   ~WindowTest() override;
 
   void restart(); // closes the window, as it is, and opens another with the same settings
-  [[nodiscard]] QString path(const QString& name) const { return folder_.filePath(name); }
+  [[nodiscard]] QString path(const QString& name) const {
+    return folder_.filePath(name);
+  }
   /// A scan of a trunk with three branches, in m, at `name` in the test's folder.
   QString writeScan(const QString& name) const;
   /// The skeleton test::fork(3), saved at `name`.
   QString writeFork(const QString& name) const;
 
-  [[nodiscard]] MainWindow& window() { return *window_; }
-  [[nodiscard]] PlantDocument& document() { return window_->document(); }
-  [[nodiscard]] PlantView& view() { return window_->view(); }
+  [[nodiscard]] MainWindow& window() {
+    return *window_;
+  }
+  [[nodiscard]] PlantDocument& document() {
+    return window_->document();
+  }
+  [[nodiscard]] PlantView& view() {
+    return window_->view();
+  }
   void edit(); // of forkTop, named "Move"
   /// The node that stands at this place, whatever its id in the file.
   NodeId nodeAt(const Eigen::Vector3d& place);

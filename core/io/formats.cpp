@@ -75,18 +75,19 @@ std::string beginningOf(std::istream& in, const std::filesystem::path& path) {
   return bytes;
 }
 
-/// What the content of a file shows; null: nothing, or there is no such file.
+/// What the content of a file shows; null: nothing.
+const Format* recognized(std::string_view beginning) {
+  for (const Format& format : formats())
+    if (format.recognizes != nullptr && format.recognizes(beginning)) return &format;
+  return nullptr;
+}
+
+/// The same of a file; null, too: there is none, or it cannot be read.
 const Format* formatIn(const std::filesystem::path& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return nullptr;
   std::ifstream in(path, std::ios::binary);
-  if (!in) return nullptr;
-  const std::string beginning = beginningOf(in, path);
-  const auto isShown = [&](const Format& format) {
-    return format.recognizes != nullptr && format.recognizes(beginning);
-  };
-  const auto found = std::ranges::find_if(formats(), isShown);
-  return found == formats().end() ? nullptr : &*found;
+  return in ? recognized(beginningOf(in, path)) : nullptr;
 }
 
 /// Whether the reader of a format reads texts in UTF-16, or says what to do with them.
@@ -97,8 +98,7 @@ bool knowsUtf16(const Format& format) {
 
 const Format& formatOfContent(std::string_view beginning, const std::filesystem::path& path) {
   if (trimmed(beginning).empty()) refuse(path, Shown::tr("is empty: copy or export it again"));
-  for (const Format& format : formats())
-    if (format.recognizes != nullptr && format.recognizes(beginning)) return format;
+  if (const Format* shown = recognized(beginning)) return *shown;
   const Format* format = formatOfName(path, [](const Format&) { return true; });
   if (!format || !knowsUtf16(*format)) requireNoUtf16(beginning, nameOf(path));
   if (format) return *format;

@@ -20,8 +20,8 @@ std::string shortDecimal(double value, int digits = 6) {
   return text.str();
 }
 
-/// Of three, for the ends of a range in a message, which are rounded into it so that they can be
-/// typed.
+/// What the last of three digits is worth. The ends of a range in a message have three, rounded
+/// into it, so that they can be typed.
 double lastDigit(double end) {
   return end == 0 ? 1 : std::pow(10, std::floor(std::log10(std::abs(end))) - 2);
 }

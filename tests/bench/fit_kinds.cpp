@@ -40,25 +40,24 @@ PlantKind kindNamed(const std::string& name) {
   return name == "grass" ? PlantKind::grass : PlantKind::herb;
 }
 
-Example exampleOf(std::uint64_t number) {
-  const OrganScan scan = organScan(number);
-  const Eigen::Matrix3Xf& points = scan.cloud->positions();
+Example exampleOf(const PointCloud& cloud, PlantKind kind) {
+  const Eigen::Matrix3Xf& points = cloud.positions();
   const double spacing = pointSpacing(points);
-  const FoundOrgans found = organsAmong(points, {}, spacing);
-  return {kindFeatures(points, found.ofPoint, spacing), kindNamed(scan.kind)};
+  return {kindFeatures(points, organsAmong(points, {}, spacing).ofPoint, spacing), kind};
+}
+
+Example exampleOf(const OrganScan& scan) {
+  return exampleOf(*scan.cloud, kindNamed(scan.kind));
 }
 
 /// @return none of a herb, and of few points
 std::optional<Example> exampleOf(const ScannedPlant& plant) {
   const auto is = [&](const char* name) { return plant.name.starts_with(name); };
-  const Eigen::Matrix3Xf& points = plant.cloud->positions();
-  if (plant.isLeafy || is("herb") || is("arabidopsis") || points.cols() < 200) return std::nullopt;
-  const double spacing = pointSpacing(points);
-  const FoundOrgans found = organsAmong(points, {}, spacing);
-  const PlantKind kind = plant.foliage == 0            ? PlantKind::bareTree
-                         : is("conifer") || is("puu3") ? PlantKind::needleTree
-                                                       : PlantKind::leafyTree;
-  return Example{kindFeatures(points, found.ofPoint, spacing), kind};
+  if (plant.isLeafy || is("herb") || is("arabidopsis") || plant.cloud->size() < 200)
+    return std::nullopt;
+  return exampleOf(*plant.cloud, plant.foliage == 0            ? PlantKind::bareTree
+                                 : is("conifer") || is("puu3") ? PlantKind::needleTree
+                                                               : PlantKind::leafyTree);
 }
 
 struct Examples {
@@ -77,7 +76,7 @@ struct Examples {
 Examples examplesFrom(std::uint64_t first, std::uint64_t plants) {
   Examples examples;
   for (std::uint64_t number = first; number < first + plants; ++number) {
-    examples.ofAllKinds.push_back(exampleOf(number));
+    examples.ofAllKinds.push_back(exampleOf(organScan(number)));
     if (const auto tree = exampleOf(scannedPlant(number))) examples.trees.push_back(*tree);
     if (number >= first + plants / 2) continue;
     if (const auto noisy = exampleOf(noisyPlant(number))) examples.noisy.push_back(*noisy);

@@ -1010,6 +1010,10 @@
         <source>the points around %1 show no middle: move them by hand</source>
         <translation>les points autour de %1 ne montrent pas de milieu&#xa0;: déplacez-les à la main</translation>
     </message>
+    <message>
+        <source>the points end here: New Child adds a node all the same</source>
+        <translation>les points s’arrêtent ici&#xa0;: «&#xa0;Nouvel enfant&#xa0;» ajoute quand même un nœud</translation>
+    </message>
 </context>
 <context>
     <name>NodeTable</name>

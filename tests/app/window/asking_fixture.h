@@ -4,7 +4,6 @@
 #include "core/skeleton/edits.h"
 #include "core/skeleton/select.h"
 #include "tests/app/window/window_fixture.h"
-#include "tests/support/shared_data.h"
 #include "ui/document/plant_document.h"
 
 #include <QAction>
@@ -20,10 +19,7 @@ protected:
   void SetUp() override {
     WindowTest::SetUp();
     window().resize(1280, 800);
-    open({QString::fromStdString((sourceFolder() / "resources/samples/young_tree.ply").string())});
-    action("reconstruct").trigger();
-    waitForJob();
-    ASSERT_FALSE(document().skeleton().isEmpty());
+    openReconstructedSample();
   }
 
   void ask() {

@@ -5,7 +5,6 @@
 #include "core/skeleton/edits.h"
 #include "core/skeleton/select.h"
 #include "tests/app/window/window_fixture.h"
-#include "tests/support/shared_data.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/suspects_panel.h"
 
@@ -25,9 +24,7 @@ protected:
   void SetUp() override {
     WindowTest::SetUp();
     window().resize(1280, 800);
-    open({QString::fromStdString((sourceFolder() / "resources/samples/young_tree.ply").string())});
-    action("reconstruct").trigger();
-    waitForJob();
+    openReconstructedSample();
     const Skeleton plant = document().skeleton();
     document().edit("Thicker", [&](SkeletonEditor& editor) {
       int left = 3;

@@ -5,6 +5,7 @@
 #include "core/base/random.h"
 #include "core/io/formats.h"
 #include "tests/support/plants.h"
+#include "tests/support/shared_data.h"
 
 #include <QAction>
 #include <QApplication>
@@ -17,6 +18,7 @@
 
 #include <fstream>
 #include <numbers>
+#include <utility>
 
 namespace espalier::test {
 namespace {
@@ -108,6 +110,19 @@ void WindowTest::open(const QStringList& paths) {
   if (view().isVisible()) waitForView();
 }
 
+void WindowTest::openReconstructedSample() {
+  open({QString::fromStdString((sourceFolder() / "resources/samples/young_tree.ply").string())});
+  static std::optional<std::pair<Skeleton, std::shared_ptr<const Eigen::Matrix3Xf>>> made;
+  if (made) {
+    document().reconstruct("Reconstruct", made->first, made->second);
+  } else {
+    action("reconstruct").trigger();
+    waitForJob();
+    ASSERT_FALSE(document().skeleton().isEmpty());
+    made.emplace(document().skeleton(), document().contracted());
+  }
+}
+
 void WindowTest::waitForJob() {
   ASSERT_TRUE(QTest::qWaitFor([this] { return !window_->jobs().isBusy(); }, patience));
 }
@@ -121,7 +136,9 @@ void WindowTest::key(int key, Qt::KeyboardModifiers modifiers) {
 }
 
 void WindowTest::keyOnceDrawn(int key) {
-  waitForView();
+  const int frames = view().framesAtRest();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return view().framesAtRest() != frames || view().isStill(); }, patience));
   this->key(key);
 }
 

@@ -59,6 +59,8 @@ protected:
 
   /// And waits until it is there; a scan in place of another is a plant of its own.
   void open(const QStringList& paths);
+  /// The sample with its skeleton. It is reconstructed once, and put in place as often as needed.
+  void openReconstructedSample();
   void waitForJob();
   void waitForView(); // until the camera rests
   void key(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);

@@ -2479,6 +2479,10 @@
         <source>%1: %2</source>
         <translation>%1&#xa0;: %2</translation>
     </message>
+    <message>
+        <source>95 % interval: %1 to %2, from drawing segments of the reference again and again</source>
+        <translation>Intervalle à 95&#xa0;%&#xa0;: de %1 à %2, en tirant et retirant au sort les segments de la référence</translation>
+    </message>
 </context>
 <context>
     <name>Seal</name>

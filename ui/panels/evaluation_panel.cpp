@@ -153,6 +153,10 @@ void EvaluationPanel::showScores(const Evaluation& evaluation) {
   refreshPlace(evaluation);
 }
 
+void EvaluationPanel::showIntervals(const std::map<std::string, ScoreInterval>& intervals) {
+  scores_->showIntervals(intervals);
+}
+
 /// What makes the numbers doubtful is read above them; a small shift only is a remark.
 void EvaluationPanel::refreshPlace(const Evaluation& evaluation) {
   QStringList lines;

@@ -1,13 +1,15 @@
 #pragma once
 
 #include "core/evaluate/evaluation.h"
+#include "core/evaluate/study/ranking.h"
 #include "core/project/corrections.h"
 
 #include <QString>
 #include <QStringList>
 #include <QWidget>
 
-#include <optional>
+#include <map>
+#include <string>
 
 class QAction;
 class QCheckBox;
@@ -42,6 +44,7 @@ public:
   /// Empty: there is none, and what is known of the plant alone is shown instead of scores.
   void setReference(const QString& name);
   void showScores(const Evaluation& evaluation);
+  void showIntervals(const std::map<std::string, ScoreInterval>& intervals); // of those, by key
   void forgetScores();
   void setStale(bool isStale); // the plant has changed since
   void showHandWork(const HandWork& work);

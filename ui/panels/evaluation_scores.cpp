@@ -135,6 +135,16 @@ void EvaluationScores::show(const Evaluation& evaluation) {
   fit();
 }
 
+void EvaluationScores::showIntervals(const std::map<std::string, ScoreInterval>& intervals) {
+  for (const auto* labels : {&leading_, &values_})
+    for (const auto& [key, value] : *labels) {
+      QString tip = tipOf(scoreOf(key));
+      if (const auto found = intervals.find(key); found != intervals.end())
+        tip += '\n' + intervalText(found->second);
+      value->setToolTip(tip);
+    }
+}
+
 void EvaluationScores::fit() {
   constexpr int scrollBar = 14;
   scores_->layout()->activate();
@@ -161,6 +171,7 @@ void EvaluationScores::forget() {
   for (const auto* labels : {&leading_, &values_})
     for (const auto& [key, value] : *labels)
       value->setText(QStringLiteral("–"));
+  showIntervals({});
   stems_->hide();
   fit();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/evaluate/evaluation.h"
+#include "core/evaluate/study/ranking.h"
 #include "core/project/corrections.h"
 
 #include <QScrollArea>
@@ -25,6 +26,8 @@ public:
   explicit EvaluationScores(const PlantDocument& document); // which outlives it
 
   void show(const Evaluation& evaluation);
+  /// By key: how much of each score is owed to the segments that this plant happens to have.
+  void showIntervals(const std::map<std::string, ScoreInterval>& intervals);
   void forget();
   void setStale(bool isStale); // the plant has changed since
   void showHandWork(const HandWork& work);

@@ -53,6 +53,12 @@ QString tipOf(const Score& score) {
   return Titles::tr("%1: %2").arg(titled(labelOf(score)), shownText(score.help));
 }
 
+QString intervalText(const ScoreInterval& interval) {
+  const auto share = [](double value) { return QString::number(value, 'f', 3); };
+  return Titles::tr("95 % interval: %1 to %2, from drawing segments of the reference again and again")
+      .arg(share(interval.low), share(interval.high));
+}
+
 QString textOf(const std::optional<double>& value, ScoreUnit counted, LengthUnit unit) {
   if (!value) return QStringLiteral("–");
   if (counted == ScoreUnit::share) return QString::number(*value, 'f', 3);

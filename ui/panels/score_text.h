@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/evaluate/scores.h"
+#include "core/evaluate/study/ranking.h"
 #include "ui/document/length_unit.h"
 
 #include <QString>
@@ -19,6 +20,9 @@ namespace espalier {
 
 /// What a score is: its label, and its help.
 [[nodiscard]] QString tipOf(const Score& score);
+
+/// "95 % interval: 0.902 to 0.921", and what it is of.
+[[nodiscard]] QString intervalText(const ScoreInterval& interval);
 
 /// "0.912", "12.4 mm" or "17"; a dash for none.
 [[nodiscard]] QString textOf(const std::optional<double>& value, ScoreUnit counted,

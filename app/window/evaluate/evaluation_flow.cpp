@@ -8,6 +8,7 @@
 #include "app/window/frame/action_set.h"
 #include "core/base/error.h"
 #include "core/evaluate/match/edit_table.h"
+#include "core/evaluate/study/ranking.h"
 #include "core/io/atomic_file.h"
 #include "core/io/csv.h"
 #include "ui/document/hand_work_text.h"
@@ -32,6 +33,22 @@ namespace espalier {
 namespace {
 
 constexpr auto colorId = comparisonColorId;
+
+struct Compared {
+  Evaluation evaluation;
+  std::map<std::string, ScoreInterval> intervals; // by key of the score
+};
+
+Compared compared(const Skeleton& plant, const Skeleton& reference, const EvaluationOptions& how,
+                  const Progress& progress) {
+  Compared made{.evaluation = evaluate(plant, reference, how, progress.part(0, 0.9)),
+                .intervals = {}};
+  const RankingOptions draws{.registers = false, .distance = made.evaluation.tolerance};
+  made.intervals = ranking({plant}, made.evaluation.reference, draws, progress.part(0.9, 1))
+                       .results.front()
+                       .scores;
+  return made;
+}
 
 } // namespace
 
@@ -342,17 +359,18 @@ void EvaluationFlow::start() {
       tr("Compare"),
       [skeleton = parts_.document.skeleton(), reference = parts_.reference.skeleton(),
        how = optionsNow()](const Progress& progress) {
-        return evaluate(skeleton, *reference, how, progress);
+        return compared(skeleton, *reference, how, progress);
       },
-      [this](Evaluation evaluation) {
+      [this](Compared found) {
         if (isOutdated_ || timer_.isActive()) return; // the plant, or what is asked, is another now
         panel_->showRest({});
         panel_->showHandWork(handWork(parts_.document));
-        motion_ = evaluation.motion;
-        coverages_ = evaluation.comparison.coverages;
+        motion_ = found.evaluation.motion;
+        coverages_ = found.evaluation.comparison.coverages;
         isEdited_ = false;
-        parts_.reference.lay(evaluation.motion);
-        show(std::move(evaluation));
+        parts_.reference.lay(found.evaluation.motion);
+        show(std::move(found.evaluation));
+        panel_->showIntervals(found.intervals);
         setFresh(true);
       });
 }

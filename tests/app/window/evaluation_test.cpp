@@ -12,6 +12,7 @@
 #include <QCheckBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QRegularExpression>
 #include <QToolButton>
 #include <QUndoStack>
 
@@ -101,6 +102,21 @@ TEST_F(EvaluationWindowTest, ShowsTheLeadingScoresWithoutScrolling) {
   ASSERT_TRUE(waitForScores());
   EXPECT_TRUE(find<QLabel>("leading_f").isEnabled());
   EXPECT_EQ(find<QLabel>("leading_f").text(), score("f"));
+}
+
+TEST_F(EvaluationWindowTest, SaysBetweenWhichValuesAScoreLies) {
+  compare([](SkeletonEditor& editor) { removeSubtree(editor, shoot(2)); });
+  const QRegularExpression form("95 % interval: ([0-9.]+) to ([0-9.]+)");
+  for (const char* name : {"f", "precision", "recall", "geometric"}) {
+    const auto found = form.match(find<QLabel>(QString("score_") + name).toolTip());
+    ASSERT_TRUE(found.hasMatch()) << name;
+    EXPECT_LE(found.captured(1).toDouble(), score(name).toDouble()) << name;
+    EXPECT_GE(found.captured(2).toDouble(), score(name).toDouble()) << name;
+  }
+  const auto recall = form.match(find<QLabel>("score_recall").toolTip());
+  EXPECT_LT(recall.captured(1), recall.captured(2)) << "one shoot of three is missing";
+  EXPECT_EQ(find<QLabel>("leading_f").toolTip(), find<QLabel>("score_f").toolTip());
+  EXPECT_FALSE(find<QLabel>("score_tips").toolTip().contains("interval"));
 }
 
 TEST_F(EvaluationWindowTest, ShowsDiametersAtBreastHeightOnceTheUnitIsKnown) {

@@ -22,6 +22,17 @@ def run(command, log):
     return done.returncode, done.stderr
 
 
+def flags_of(settings):
+    """The flags of `espalier batch` that these settings of the workflow are."""
+    flags = ["--up", str(settings["up"])]
+    for flag in ("preset", "unit"):
+        if settings[flag]:
+            flags += ["--" + flag, str(settings[flag])]
+    for each in settings["set"]:
+        flags += ["--set", str(each)]
+    return flags + [str(each) for each in settings["options"]]
+
+
 def reconstruct(arguments, folder, log):
     """The line of the summary for this tree, and notes."""
     table = folder / "table.csv"
@@ -30,15 +41,8 @@ def reconstruct(arguments, folder, log):
         rows.writerow(["name", "scan", "reference"])
         rows.writerow([arguments.name, arguments.scan.resolve(),
                        Path(arguments.reference).resolve() if arguments.reference else ""])
-    settings = json.loads(arguments.settings)
     command = [arguments.espalier, "batch", str(table), "-o", str(folder),
-               "--threads", str(arguments.threads), "--up", settings["up"]]
-    for flag in ("preset", "unit"):
-        if settings[flag]:
-            command += ["--" + flag, settings[flag]]
-    for each in settings["set"]:
-        command += ["--set", each]
-    command += settings["options"]
+               "--threads", str(arguments.threads)] + flags_of(json.loads(arguments.settings))
     # What a run before made, or failed at, is none of this.
     for made in ("summary.csv", "picture.png", arguments.name + ".mtg", arguments.name + ".doubts.json"):
         (folder / made).unlink(missing_ok=True)
@@ -100,4 +104,5 @@ def main():
     os.replace(part, arguments.result)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -54,6 +54,9 @@ struct Registered {
   std::optional<PairFit> byPairs;
   std::optional<CloudFit> byPoints;
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+
+  /// How far the targets of each pair are apart in the end [L].
+  [[nodiscard]] std::vector<double> apart() const { return distancesApart(pairs, motion); }
 };
 
 std::string lengthText(double length, const std::string& unit) {
@@ -108,12 +111,8 @@ Registered registered(const RegisterFlags& flags, const std::string& file,
 
 void print(const Registered& result, const PointCloud& cloud, const std::string& unit) {
   const std::string file = result.file + ": ";
-  if (result.byPairs) {
-    for (std::size_t i = 0; i < result.pairs.size(); ++i)
-      printLine(file + "pair " + std::to_string(i + 1) + " is " +
-                lengthText(result.byPairs->residuals[i], unit) + " apart");
+  if (result.byPairs)
     printLine(file + "by pairs, root mean square " + lengthText(result.byPairs->rms, unit));
-  }
   if (const auto& fit = result.byPoints) {
     printLine(file + "by points, root mean square " + lengthText(fit->rms, unit) + ", " +
               plainDecimal(std::round(1000 * fit->overlap) / 10) + " % overlap, " +
@@ -123,6 +122,15 @@ void print(const Registered& result, const PointCloud& cloud, const std::string&
     if (fit->overlap < 0.2)
       printNotes({file + "little overlaps: look whether it lies well, or give pairs of targets"});
   }
+  const std::vector<double> apart = result.apart();
+  for (std::size_t i = 0; i < apart.size(); ++i)
+    printLine(file + "pair " + std::to_string(i + 1) + " is " + lengthText(apart[i], unit) +
+              " apart");
+  if (result.byPairs && result.byPoints &&
+      tookTargetsApart(rmsOf(apart), result.byPairs->rms, pointSpacing(cloud.positions())))
+    printNotes({file + "by points, the targets are " + lengthText(rmsOf(apart), unit) +
+                " apart; by pairs alone they were " + lengthText(result.byPairs->rms, unit) +
+                ": --no-icp leaves it at the pairs"});
   printLine(file + "shifted by " + lengthText(shiftOf(result.motion, cloud), unit) +
             ", turned by " + lengthText(degreesOf(result.motion), {}) + " degrees");
 }
@@ -134,11 +142,13 @@ Json jsonOf(const Eigen::Vector3d& place) {
 Json jsonOf(const Registered& result, const PointCloud& cloud) {
   Json json{{"file", result.file}};
   if (result.byPairs) {
+    const std::vector<double> apart = result.apart();
     Json pairs = Json::array();
     for (std::size_t i = 0; i < result.pairs.size(); ++i)
       pairs.push_back({{"moved", jsonOf(result.pairs[i].moved)},
                        {"fixed", jsonOf(result.pairs[i].fixed)},
-                       {"residual", result.byPairs->residuals[i]}});
+                       {"residual", result.byPairs->residuals[i]},
+                       {"apart", apart[i]}});
     json["by_pairs"] = {{"pairs", std::move(pairs)}, {"rms", result.byPairs->rms}};
   }
   if (const auto& fit = result.byPoints)

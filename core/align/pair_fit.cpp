@@ -70,15 +70,30 @@ PairFit fitPairs(const std::vector<TargetPair>& pairs) {
   PairFit fit;
   fit.motion.linear() = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
   fit.motion.translation() = to - fit.motion.linear() * from;
-  double squares = 0;
-  for (Eigen::Index i = 0; i < count; ++i) {
-    // About the middles: coordinates of maps are large.
-    const Eigen::Vector3d off = fit.motion.linear() * (moved.col(i) - from) - (fixed.col(i) - to);
-    fit.residuals.push_back(off.norm());
-    squares += off.squaredNorm();
-  }
-  fit.rms = std::sqrt(squares / static_cast<double>(count));
+  for (Eigen::Index i = 0; i < count; ++i) // about the middles: coordinates of maps are large
+    fit.residuals.push_back(
+        (fit.motion.linear() * (moved.col(i) - from) - (fixed.col(i) - to)).norm());
+  fit.rms = rmsOf(fit.residuals);
   return fit;
+}
+
+std::vector<double> distancesApart(const std::vector<TargetPair>& pairs,
+                                   const Eigen::Isometry3d& motion) {
+  std::vector<double> distances;
+  for (const TargetPair& pair : pairs)
+    distances.push_back((motion * pair.moved - pair.fixed).norm());
+  return distances;
+}
+
+double rmsOf(const std::vector<double>& distances) {
+  double squares = 0;
+  for (const double distance : distances)
+    squares += distance * distance;
+  return distances.empty() ? 0 : std::sqrt(squares / static_cast<double>(distances.size()));
+}
+
+bool tookTargetsApart(double rms, double rmsByPairs, double spacing) {
+  return rms > 3 * rmsByPairs && rms > spacing;
 }
 
 } // namespace espalier

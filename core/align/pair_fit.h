@@ -30,4 +30,15 @@ struct PairFit {
 /// patterns", PAMI 13(4), 1991, without its scale.
 [[nodiscard]] PairFit fitPairs(const std::vector<TargetPair>& pairs);
 
+/// How far the targets of each pair are apart under a motion [L].
+[[nodiscard]] std::vector<double> distancesApart(const std::vector<TargetPair>& pairs,
+                                                 const Eigen::Isometry3d& motion);
+
+/// Root mean square of distances [L]; 0 of none.
+[[nodiscard]] double rmsOf(const std::vector<double>& distances);
+
+/// A fit by points took the targets clearly apart: over three times as far as pairs alone leave
+/// them, and by more than the spacing of the points. All in [L].
+[[nodiscard]] bool tookTargetsApart(double rms, double rmsByPairs, double spacing);
+
 } // namespace espalier

@@ -268,8 +268,8 @@ QString RegistrationFlow::warning() const {
   if (!registration_.refusal().empty()) return QString::fromStdString(registration_.refusal());
   const auto& fit = registration_.byPoints();
   const auto byPairs = registration_.rmsByPairs();
-  if (fit && byPairs && registration_.rms() > 3 * *byPairs &&
-      registration_.rms() > parts_.document.scan()->spacing())
+  if (fit && byPairs &&
+      tookTargetsApart(registration_.rms(), *byPairs, parts_.document.scan()->spacing()))
     return withKeys(tr("By points, the targets are %1 apart; by pairs alone they were %2. Look "
                        "which lies better: {undo} takes the fit back.")
                         .arg(formatLength(registration_.rms(), parts_.document.unit(), 3),

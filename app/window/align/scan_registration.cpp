@@ -60,12 +60,7 @@ Eigen::Isometry3d ScanRegistration::motion() const {
 }
 
 std::vector<double> ScanRegistration::residuals() const {
-  std::vector<double> result;
-  if (!isPlaced()) return result;
-  const Eigen::Isometry3d motion = this->motion();
-  for (const TargetPair& pair : pairs_)
-    result.push_back((motion * pair.moved - pair.fixed).norm());
-  return result;
+  return isPlaced() ? distancesApart(pairs_, motion()) : std::vector<double>();
 }
 
 std::optional<double> ScanRegistration::rmsByPairs() const {
@@ -73,11 +68,7 @@ std::optional<double> ScanRegistration::rmsByPairs() const {
 }
 
 double ScanRegistration::rms() const {
-  const std::vector<double> all = residuals();
-  double sum = 0;
-  for (const double residual : all)
-    sum += residual * residual;
-  return all.empty() ? 0 : std::sqrt(sum / static_cast<double>(all.size()));
+  return rmsOf(residuals());
 }
 
 std::optional<std::size_t> ScanRegistration::worst() const {

@@ -98,6 +98,14 @@ TEST_F(RegisterCommand, JoinsStationsByRoughPairsAndTheirPoints) {
   EXPECT_EQ(json["scans"].size(), 2U);
   EXPECT_EQ(json["scans"][1]["by_pairs"]["pairs"].size(), 4U);
   EXPECT_GT(json["scans"][0]["by_pairs"]["rms"].get<double>(), 0.01) << "they are rough";
+  for (const auto& pair : json["scans"][0]["by_pairs"]["pairs"]) {
+    const auto place = [&](const char* name) {
+      return Vector3d(pair[name][0], pair[name][1], pair[name][2]);
+    };
+    EXPECT_NEAR(pair["apart"].get<double>(),
+                (motionIn("all.json") * place("moved") - place("fixed")).norm(), 1e-9)
+        << "in the end";
+  }
   EXPECT_TRUE(json["scans"][0]["by_points"]["converged"].get<bool>());
   EXPECT_GT(json["scans"][0]["by_points"]["overlap"].get<double>(), 0.3);
   EXPECT_NEAR(json["scans"][0]["turn_degrees"].get<double>(), 10, 0.5);

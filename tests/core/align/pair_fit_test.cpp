@@ -124,5 +124,20 @@ TEST(PairFit, RefusesWhatIsNoPair) {
   EXPECT_THAT(refusalOf(pairs), HasSubstr("of the fixed scan lie on a line"));
 }
 
+TEST(DistancesApart, AreThoseUnderTheMotion) {
+  const std::vector<TargetPair> pairs = {{{1, 0, 0}, {1, 0, 2}}, {{0, 2, 0}, {0, 2, 5}}};
+  Eigen::Isometry3d up = Eigen::Isometry3d::Identity();
+  up.translation() = Eigen::Vector3d(0, 0, 1);
+  EXPECT_EQ(distancesApart(pairs, up), (std::vector<double>{1, 4}));
+  EXPECT_DOUBLE_EQ(rmsOf({1, 7}), 5);
+  EXPECT_EQ(rmsOf({}), 0);
+}
+
+TEST(TookTargetsApart, IsSaidOfWhatPairsHadCloserAndPointsShow) {
+  EXPECT_TRUE(tookTargetsApart(0.02, 1e-15, 0.005));
+  EXPECT_FALSE(tookTargetsApart(0.004, 1e-15, 0.005)) << "within the spacing";
+  EXPECT_FALSE(tookTargetsApart(0.02, 0.01, 0.005)) << "the pairs were rough";
+}
+
 } // namespace
 } // namespace espalier

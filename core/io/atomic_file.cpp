@@ -227,6 +227,14 @@ void syncFolder(const fs::path& folder) {
   ::close(descriptor);
 }
 
+/// A file that is write-protected is kept, though it could be replaced.
+void requireReplaceable(const fs::path& file, const fs::path& path) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) return;
+  if (S_ISDIR(status.st_mode)) fail(path, EISDIR);
+  if (::access(file.c_str(), W_OK) != 0) fail(path, errno);
+}
+
 void writeThrough(FileBuffer& buffer, const std::function<void(std::ostream&)>& write) {
   std::ostream out(&buffer);
   out.exceptions(std::ios::badbit); // passes on what the buffer throws
@@ -275,7 +283,7 @@ StagedFile::StagedFile(const fs::path& path, const std::function<void(std::ostre
     : path_(target(path)) {
   struct stat old {};
   const bool exists = ::stat(path_.c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
+  requireReplaceable(path_, path);
   temporary_ = std::make_unique<Temporary>(path_);
   FileBuffer buffer(temporary_->descriptor(), path, true);
   constexpr mode_t permissionBits = 07777;
@@ -311,10 +319,10 @@ void requireWritable(const fs::path& path) {
     return;
   }
   const fs::path file = target(path);
-  struct stat status {};
-  if (::stat(file.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) fail(path, EISDIR);
+  requireReplaceable(file, path);
   if (file.filename().string().size() > NAME_MAX) fail(path, ENAMETOOLONG);
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  struct stat status {};
   if (::stat(folder.c_str(), &status) != 0) fail(path, errno);
   if (!S_ISDIR(status.st_mode)) fail(path, ENOTDIR);
   if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(path, errno);

@@ -39,7 +39,8 @@ private:
 };
 
 /// Reports before a long computation what writeAtomically would report after it: that the folder is
-/// missing, that a folder has this name, or that writing there is not allowed. It writes nothing,
+/// missing, that a folder has this name, or that writing there, or to a file that is there, is not
+/// allowed. It writes nothing,
 /// so a full disk shows only later.
 /// @throws Error as writeAtomically
 void requireWritable(const std::filesystem::path& path);

@@ -117,6 +117,20 @@ TEST(WriteAtomically, ReportsThatAFolderIsReadOnly) {
   fs::permissions(folder, fs::perms::owner_all);
 }
 
+TEST(WriteAtomically, KeepsAFileThatIsWriteProtected) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
+  const fs::path file = test::freshFolder() / "oak.mtg";
+  writeText(file, "before");
+  fs::permissions(file, fs::perms::owner_read);
+  for (const bool isWritten : {true, false})
+    EXPECT_THAT(test::errorOf([&] {
+                  isWritten ? writeText(file, "after") : requireWritable(file);
+                  return 0;
+                }),
+                HasSubstr("Permission denied"));
+  EXPECT_EQ(textOf(file), "before");
+}
+
 TEST(WriteAtomically, FollowsLinks) {
   const fs::path folder = test::freshFolder();
   fs::create_directory(folder / "plants");

@@ -13,7 +13,7 @@ namespace espalier {
 
 /// The place in a file that something is said of: all of it, a line, a field of a line, or a byte.
 struct FilePlace {
-  std::string file;                       // its name, or path, as its user knows it
+  std::string file;                       // its path, as it was named
   std::optional<std::size_t> line = {};   // from 1
   std::optional<std::size_t> column = {}; // of that line, from 1
   std::optional<std::uint64_t> byte = {}; // from 0

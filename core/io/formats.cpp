@@ -24,13 +24,9 @@
 namespace espalier {
 namespace {
 
-std::string nameOf(const std::filesystem::path& path) {
-  return path.filename().string();
-}
-
 [[noreturn]] void refuse(const std::filesystem::path& path, const char* sentence,
                          std::vector<std::string> values = {}) {
-  throw ShownError({sentence, std::move(values), FilePlace{nameOf(path)}});
+  throw ShownError({sentence, std::move(values), FilePlace{path.string()}});
 }
 
 /// The format whose extension the name ends in, of those `wanted`; of "a.lines.obj" that of
@@ -100,7 +96,7 @@ const Format& formatOfContent(std::string_view beginning, const std::filesystem:
   if (trimmed(beginning).empty()) refuse(path, Shown::tr("is empty: copy or export it again"));
   if (const Format* shown = recognized(beginning)) return *shown;
   const Format* format = formatOfName(path, [](const Format&) { return true; });
-  if (!format || !knowsUtf16(*format)) requireNoUtf16(beginning, nameOf(path));
+  if (!format || !knowsUtf16(*format)) requireNoUtf16(beginning, path.string());
   if (format) return *format;
   refuse(path, Shown::tr("is of no known kind; can be read: %1"),
          {listOf([](const Format& each) { return each.canRead(); })});
@@ -243,7 +239,7 @@ ImportedCloud readPoints(const std::filesystem::path& path, const ReadOptions& o
   std::ifstream in = openForReading(path);
   const Format& format = readableFormat(in, path, Content::points);
   requireColumnsFit(path, format, options.columns);
-  ImportedPoints raw = format.readPoints(in, nameOf(path), options, progress.part(0, 0.6));
+  ImportedPoints raw = format.readPoints(in, path.string(), options, progress.part(0, 0.6));
   const std::size_t kept = raw.value.positions.size();
   if (kept == 0 && raw.listed > 0 && options.box) refuseBox(*options.box, path, raw.listed);
   ImportedCloud result{
@@ -255,10 +251,10 @@ ImportedCloud readPoints(const std::filesystem::path& path, const ReadOptions& o
            kept == 1 ? Shown::tr("holds 1 point, none of them finite: export it again")
                      : Shown::tr("holds %1 points, none of them finite: export it again"),
            {std::to_string(kept)});
-  if (auto note = leftOutNote(result.value, kept, nameOf(path)))
+  if (auto note = leftOutNote(result.value, kept, path.string()))
     result.notes.push_back(*std::move(note));
-  if (result.isPart(options)) result.notes.push_back(partNote(result, options, nameOf(path)));
-  for (ShownMessage& note : scanNotes(result.value, nameOf(path)))
+  if (result.isPart(options)) result.notes.push_back(partNote(result, options, path.string()));
+  for (ShownMessage& note : scanNotes(result.value, path.string()))
     result.notes.push_back(std::move(note));
   return result;
 }
@@ -266,14 +262,14 @@ ImportedCloud readPoints(const std::filesystem::path& path, const ReadOptions& o
 Imported<Structure> readStructure(const std::filesystem::path& path) {
   Imported<Structure> structure = readAnyStructure(path);
   if (isWithoutPositions(structure.value)) // says so
-    (void)skeletonOf(structure.value.frame->mtg, nameOf(path));
+    (void)skeletonOf(structure.value.frame->mtg, path.string());
   return structure;
 }
 
 Imported<Structure> readAnyStructure(const std::filesystem::path& path) {
   std::ifstream in = openForReading(path);
   const Format& format = readableFormat(in, path, Content::structure);
-  const std::string name = nameOf(path);
+  const std::string name = path.string();
   if (format.readStructure) {
     Imported<Skeleton> skeleton = format.readStructure(in, name);
     requireInRange(skeleton.value, name);

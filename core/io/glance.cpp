@@ -96,7 +96,7 @@ std::string unitOfExtent(double extent) {
 
 PointGlance glanceAt(const std::filesystem::path& path, const std::vector<PointField>& columns) {
   const Format& format = formatOf(path);
-  const std::string name = path.filename().string();
+  const std::string name = path.string();
   requirePoints(format, name);
   std::ifstream in = openForReading(path);
   ByteSource source(in);
@@ -112,7 +112,7 @@ PointGlance glanceAt(const std::filesystem::path& path, const std::vector<PointF
 
 std::optional<FirstLines> firstLinesAt(const std::filesystem::path& path) {
   const Format& format = formatOf(path);
-  const std::string name = path.filename().string();
+  const std::string name = path.string();
   requirePoints(format, name);
   if (format.glanceByColumns == nullptr) return std::nullopt;
   std::ifstream in = openForReading(path);

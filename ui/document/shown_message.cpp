@@ -3,6 +3,7 @@
 #include "ui/document/shown_text.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QStringList>
 
 namespace espalier {
@@ -12,9 +13,10 @@ struct PlaceText {
   Q_DECLARE_TR_FUNCTIONS(FilePlace)
 };
 
-/// "oak.mtg, line 12, column 3"
+/// "oak.mtg, line 12, column 3": in a window, one knows where the file is.
 QString placeText(const FilePlace& place) {
-  QStringList parts = {QString::fromStdString(place.file)};
+  const QFileInfo file(QString::fromStdString(place.file));
+  QStringList parts = {file.isDir() ? file.filePath() : file.fileName()};
   if (place.line) parts.append(PlaceText::tr("line %1").arg(*place.line));
   if (place.column) parts.append(PlaceText::tr("column %1").arg(*place.column));
   if (place.byte) parts.append(PlaceText::tr("byte %1").arg(*place.byte));

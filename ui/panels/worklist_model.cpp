@@ -38,13 +38,13 @@ QString cellOf(const std::string& text) {
   return line.size() > most ? line.left(most) + QStringLiteral("…") : line;
 }
 
-/// What is wrong with a file, in a row that says which file: without its path.
+/// What is wrong with a file, in a row that says which file: without its name.
 QString problemText(const ShownMessage& problem, const std::filesystem::path& file) {
   QString text = cellOf(shownText(problem).toStdString());
-  const QString path = textOfPath(file);
-  if (path.isEmpty() || !text.startsWith(path)) return text; // it begins with another name
+  const QString name = textOfPath(file.filename());
+  if (name.isEmpty() || !text.startsWith(name)) return text; // it begins with another
   const auto isBetween = [](QChar sign) { return sign.isSpace() || sign == ':'; };
-  text.erase(text.cbegin(), std::find_if_not(text.cbegin() + path.size(), text.cend(), isBetween));
+  text.erase(text.cbegin(), std::find_if_not(text.cbegin() + name.size(), text.cend(), isBetween));
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;
 }

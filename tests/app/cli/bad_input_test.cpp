@@ -135,8 +135,9 @@ TEST(BadInput, PointsThatAreNotFiniteAreLeftOutWithANote) {
   const auto outcome = runProgram({"convert", scan, (folder / "all.xyz").string()});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err,
-            "espalier: note: some.xyz: 2 of 6 points are not finite, or beyond any plant, and are "
-            "left out\nespalier: wrote " +
+            "espalier: note: " + scan +
+                ": 2 of 6 points are not finite, or beyond any plant, and are left out\n"
+                "espalier: wrote " +
                 (folder / "all.xyz").string() + ": 4 points\n");
   EXPECT_THAT(test::bytesOf(folder / "all.xyz"), testing::Not(HasSubstr("n")));
 }

@@ -243,10 +243,10 @@ TEST_F(Subcommands, ConvertCopiesAnMtgWithoutPositions) {
   test::writeBytes(file("a.mtg"), typedMtg);
   const Outcome outcome = runProgram({"convert", file("a.mtg"), file("b.mtg")});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_EQ(outcome.err,
-            "espalier: note: a.mtg: has no positions: it is a plant without its shape\n"
-            "espalier: wrote " +
-                file("b.mtg") + ": 4 vertices without positions\n");
+  EXPECT_EQ(outcome.err, "espalier: note: " + file("a.mtg") +
+                             ": has no positions: it is a plant without its shape\n"
+                             "espalier: wrote " +
+                             file("b.mtg") + ": 4 vertices without positions\n");
   EXPECT_EQ(test::bytesOf(file("b.mtg")), typedMtg);
   const Outcome refused = runProgram({"convert", file("a.mtg"), file("b.swc")});
   EXPECT_EQ(refused.status, 1);

@@ -26,6 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
@@ -77,10 +78,11 @@ TEST(Formats, ShowWhetherAFileHoldsPointsOrAStructure) {
 }
 
 TEST(Formats, SeparatePointsFromStructures) {
-  EXPECT_EQ(errorOfPoints(fileOf("oak.mtg", test::mtgFile())),
-            "oak.mtg: holds a structure (MTG), not points: choose a scan");
-  EXPECT_EQ(errorOfStructure(fileOf("oak.ply", test::asciiPlyFile())),
-            "oak.ply: holds points (PLY), not a structure: choose an MTG or a node list");
+  EXPECT_THAT(errorOfPoints(fileOf("oak.mtg", test::mtgFile())),
+              EndsWith("/oak.mtg: holds a structure (MTG), not points: choose a scan"));
+  EXPECT_THAT(
+      errorOfStructure(fileOf("oak.ply", test::asciiPlyFile())),
+      EndsWith("/oak.ply: holds points (PLY), not a structure: choose an MTG or a node list"));
 }
 
 TEST(Formats, ListWhatCanBeReadInstead) {
@@ -94,9 +96,10 @@ TEST(Formats, ReportWhyAFileCannotBeOpened) {
   EXPECT_THAT(errorOfPoints(folder / "missing.ply"), HasSubstr("there is no such file"));
   EXPECT_THAT(errorOfPoints(fileOf("file", "text") / "oak.ply"),
               HasSubstr("there is no such file"));
-  EXPECT_EQ(errorOfPoints(fileOf("empty.ply", "")), "empty.ply: is empty: copy or export it again");
-  EXPECT_EQ(errorOfStructure(fileOf("empty.mtg", " \n")),
-            "empty.mtg: is empty: copy or export it again");
+  EXPECT_THAT(errorOfPoints(fileOf("empty.ply", "")),
+              EndsWith("/empty.ply: is empty: copy or export it again"));
+  EXPECT_THAT(errorOfStructure(fileOf("empty.mtg", " \n")),
+              EndsWith("/empty.mtg: is empty: copy or export it again"));
 }
 
 TEST(Formats, ReportThatAFileMayNotBeRead) {
@@ -120,8 +123,8 @@ TEST(ReadPoints, LeavesOutWhatIsNotFiniteAndSaysSo) {
   EXPECT_EQ(cloud.value.size(), 2);
   EXPECT_THAT(eachInEnglish(cloud.notes),
               ElementsAre(HasSubstr("scan.xyz: 2 of 4 points are not finite")));
-  EXPECT_EQ(errorOfPoints(fileOf("scan.xyz", "nan nan nan\n")),
-            "scan.xyz: holds 1 point, none of them finite: export it again");
+  EXPECT_THAT(errorOfPoints(fileOf("scan.xyz", "nan nan nan\n")),
+              EndsWith("/scan.xyz: holds 1 point, none of them finite: export it again"));
 }
 
 TEST(ReadPoints, TakesOnePointAndPointsThatCoincide) {
@@ -134,7 +137,8 @@ TEST(ReadPoints, TakesOnePointAndPointsThatCoincide) {
 TEST(ReadPoints, RefusesAFileWithoutAny) {
   std::string bytes = test::asciiPlyFile();
   bytes.replace(bytes.find("vertex 3"), 8, "vertex 0");
-  EXPECT_EQ(errorOfPoints(fileOf("oak.ply", bytes)), "oak.ply: holds no points: export it again");
+  EXPECT_THAT(errorOfPoints(fileOf("oak.ply", bytes)),
+              EndsWith("/oak.ply: holds no points: export it again"));
 }
 
 TEST(ReadPoints, StopsWhenAsked) {

@@ -43,6 +43,8 @@ struct Batch {
   std::vector<std::string> names;
   fs::path folder;
   PipelineOptions options;
+  ReadOptions reading;
+  std::string readingText; // the same as it was typed; empty: all of each scan
   MtgStyle mtgStyle = MtgStyle::plantNode;
   RegistrationOptions registration; // of results on their references
 
@@ -72,6 +74,7 @@ std::string inputsOf(const Batch& batch, const BatchPlant& plant) {
   text << static_cast<int>(batch.options.up) << ' ' << static_cast<int>(batch.mtgStyle) << '\n';
   writePreset(text, batch.options);
   if (!plant.reference.empty() && !batch.registration.turns) text << "no-rotate\n";
+  text << batch.readingText;
   char digits[20];
   std::snprintf(digits, sizeof digits, "%016llx",
                 static_cast<unsigned long long>(contentHash(text.str())));
@@ -139,7 +142,7 @@ void judge(const Skeleton& skeleton, const fs::path& reference,
 /// Reconstructs a plant and writes its structure.
 void reconstruct(const Batch& batch, const BatchPlant& plant, const Progress& progress,
                  BatchResult& row) {
-  const auto scan = readPoints(plant.scan, progress.part(0, 0.2, "Read"));
+  const auto scan = readPoints(plant.scan, batch.reading, progress.part(0, 0.2, "Read"));
   const auto cloud = std::make_shared<const PointCloud>(scan.value);
   PipelineOptions options = batch.options;
   options.root = plant.root;
@@ -235,6 +238,11 @@ Batch batchOf(const BatchFlags& flags) {
   Batch batch;
   batch.options = flags.pipeline.options("skeleton");
   batch.mtgStyle = flags.pipeline.mtgStyle;
+  const ReadFlags& read = flags.pipeline.read;
+  batch.reading = read.options();
+  if (read.most > 0) batch.readingText += "most " + std::to_string(read.most) + '\n';
+  if (!read.box.empty()) batch.readingText += "box " + read.box + '\n';
+  if (!read.columns.empty()) batch.readingText += "columns " + read.columns + '\n';
   batch.registration = {.turns = !flags.noRotate, .up = batch.options.up};
   Imported<std::vector<BatchPlant>> manifest = readManifest(flags.manifest);
   printNotes(manifest.notes);
@@ -319,6 +327,7 @@ void addBatch(CLI::App& app) {
             "Folder of the results: NAME.mtg and NAME.doubts.json, what is in doubt, of each "
             "plant, and summary.csv, a line per plant")
       ->type_name("FOLDER");
+  flags->pipeline.read.addTo(*command);
   flags->pipeline.addOptionsTo(*command);
   addMtgStyle(*command, flags->pipeline.mtgStyle);
   addNoRotate(*command, flags->noRotate);

@@ -5,6 +5,7 @@
 #include "core/base/listed.h"
 #include "core/base/open_for_reading.h"
 #include "core/base/text.h"
+#include "core/io/atomic_file.h"
 #include "core/io/csv.h"
 
 #include <climits>
@@ -75,7 +76,8 @@ BatchPlant plantOf(const CsvTable& table, const CsvTable::Row& row,
   };
   const auto path = [&](std::string_view name) {
     const std::string text = field(name);
-    return text.empty() ? std::filesystem::path() : file.parent_path() / text;
+    if (text.empty()) return std::filesystem::path();
+    return isStream(file) ? std::filesystem::path(text) : file.parent_path() / text;
   };
   BatchPlant plant{.name = field("name"), .scan = path("scan"), .reference = path("reference")};
   bool isNamed = false;

@@ -18,7 +18,7 @@ namespace espalier {
 /// The flags that reconstruct, contract and batch share.
 struct PipelineFlags {
   std::string scan;
-  ReadFlags read; // which of its points, but for batch
+  ReadFlags read; // which of its points
   std::string output;
   std::string method;
   std::vector<std::string> settings; // STEP.OPTION=VALUE

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <numbers>
@@ -97,8 +98,9 @@ TEST_F(Batch, NotesWhatIsOddAboutAScan) {
   writeManifest("scan\nstick.xyz\n");
   const Outcome outcome = run();
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.err, HasSubstr("note: stick: stick.xyz: 1 of 402 points are not finite"));
-  EXPECT_THAT(outcome.err, HasSubstr("note: stick: stick.xyz: 1 point lies far from all others"));
+  EXPECT_THAT(outcome.err, HasSubstr("note: stick: " + (folder_ / "stick.xyz").string() +
+                                     ": 1 of 402 points are not finite"));
+  EXPECT_THAT(outcome.err, HasSubstr("/stick.xyz: 1 point lies far from all others"));
 }
 
 TEST_F(Batch, TurnsAPlantOntoItsReferenceAndSaysSo) {
@@ -240,6 +242,22 @@ TEST_F(Batch, DoesAgainWhatChangedInAnyWay) {
     EXPECT_EQ(run().status, 0);
     EXPECT_TRUE(fs::exists(results_ / result));
   }
+}
+
+TEST_F(Batch, ReadsScansAsIsAsked) {
+  writeManifest("scan\nstick.xyz\n");
+  ASSERT_EQ(run({"--columns", "z,y,x", "--up", "x"}).status, 0);
+  EXPECT_EQ(cell("stick", "height"), "399");
+  ASSERT_EQ(run({"--columns", "z,y,x", "--up", "x", "--most", "200"}).status, 0);
+  EXPECT_EQ(cell("stick", "points"), "200") << "it is done again";
+}
+
+TEST_F(Batch, SeeksScansFromWhereOneIsIfTheTableIsPiped) {
+  writeManifest("scan\nstick.xyz\n");
+  const std::string piped = "cd '" + folder_.string() + "' && cat plants.csv | '" +
+                            ESPALIER_PROGRAM + "' batch /dev/stdin -o out/results 2>said.txt";
+  EXPECT_EQ(std::system(piped.c_str()), 0) << test::bytesOf(folder_ / "said.txt");
+  EXPECT_EQ(cell("stick", "status"), "done");
 }
 
 TEST_F(Batch, StartsAtTheRootThatThePlantHas) {

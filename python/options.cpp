@@ -10,9 +10,11 @@
 
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <sstream>
 #include <vector>
@@ -86,7 +88,7 @@ std::string methodOf(const StepOptions& self) {
 }
 
 void setMethod(const StepOptions& self, const std::string& name) {
-  self.all->options.set(self.step->name + ".method=" + name);
+  self.all->options.choose(*self.step, name);
 }
 
 void resetMethod(const StepOptions& self) {
@@ -169,7 +171,8 @@ py::object classOf(const Step& step, const py::object& base) {
   members["__doc__"] = documentOf(step);
   py::dict types;
   types["method"] = literalOf(step.methods);
-  members["method"] = propertyOf(&methodOf, &setMethod, &resetMethod, "The name of the method.");
+  members["method"] = propertyOf(&methodOf, &setMethod, &resetMethod,
+                                 "The name of the method. Another begins with its defaults.");
   for (const Method& method : step.methods)
     for (const Option& option : method.options) {
       const std::string& name = option.name;
@@ -214,7 +217,7 @@ void setAttribute(const py::object& self, const std::string& name, const py::obj
   throw py::attribute_error(name);
 }
 
-std::shared_ptr<HeldOptions> optionsOf(const std::string& preset, const std::string& up,
+std::shared_ptr<HeldOptions> optionsOf(const std::filesystem::path& preset, const std::string& up,
                                        const std::optional<Eigen::Vector3d>& root,
                                        const std::optional<std::string>& unit) {
   auto held = std::make_shared<HeldOptions>();
@@ -222,7 +225,7 @@ std::shared_ptr<HeldOptions> optionsOf(const std::string& preset, const std::str
     held->unit = *unit;
     held->meters = metersIn(*unit);
   }
-  held->options = presetIn(preset, held->meters);
+  held->options = presetIn(preset.string(), held->meters);
   held->options.up = upAxisIn(up);
   held->options.root = root;
   return held;

@@ -69,8 +69,10 @@ PipelineOptions PipelineFlags::options(const std::string& stepOfMethod) const {
   if (!preset.empty()) result = presetIn(preset, meters());
   try {
     if (!method.empty()) result.set(stepOfMethod + ".method=" + method);
-    for (const std::string& setting : settings)
-      result.set(setting, meters());
+    for (const bool areMethods : {true, false}) // first, in whatever order they are written
+      for (const std::string& setting : settings)
+        if ((setting.find(".method=") != std::string::npos) == areMethods)
+          result.set(setting, meters());
     if (root != "lowest") {
       result.root = placeIn(root);
       if (!result.root)

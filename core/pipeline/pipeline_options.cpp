@@ -30,7 +30,7 @@ constexpr double slack = 1e-6; // of a digit: ends of few digits stay as they ar
 
 std::string shortLeast(double least) {
   const double digit = lastDigit(least);
-  return shortDecimal(std::ceil(least / digit - slack) * digit);
+  return shortDecimal(std::ceil(least / digit - slack) * digit + 0.0); // no -0
 }
 
 std::string shortMost(double most) {
@@ -124,11 +124,16 @@ void PipelineOptions::set(const std::string& assignment, double meters) {
   const std::string option = assignment.substr(dot + 1, equals - dot - 1);
   const std::string text = assignment.substr(equals + 1);
   if (option == "method") {
-    (void)methodNamed(stepNamed(step), text);
-    methods[step] = text;
+    choose(stepNamed(step), text);
     return;
   }
   setText(stepNamed(step), option, text, meters);
+}
+
+void PipelineOptions::choose(const Step& step, const std::string& method) {
+  const Method& chosen = methodNamed(step, method);
+  if (&chosen != &chosenMethod(step, *this)) settings.erase(step.name);
+  methods[step.name] = method;
 }
 
 void PipelineOptions::setText(const Step& in, const std::string& option, const std::string& text,

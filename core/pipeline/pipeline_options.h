@@ -23,16 +23,20 @@ struct PipelineOptions {
   /// Organs of points that were set by hand, which methods that look for organs take. Likewise.
   OrganMarks organs = {};
 
-  /// Sets one option by its full name, "step.option".
+  /// Sets one option by its full name, "step.option". Another method of a step, "step.method",
+  /// begins with its own defaults: what was set of the step before is gone.
   /// Lengths are in [L], or follow from the scan: "7.5 spacings", "0.01 heights"; or in mm, cm or
   /// m.
   /// @param meters  in the unit of the scan; 0: not known, and lengths in mm, cm and m are refused
   /// @throws Error naming what there is, if the step is unknown or the value is no number, or none
   /// of the words that the option takes, or has a unit that is none for it
   void set(const std::string& assignment, double meters = 0); // "contract.radius=12.5"
-  /// The same, in parts; `text` is a number, a length by a rule, or a word.
+  /// The same of an option, in parts; `text` is a number, a length by a rule, or a word.
   void setText(const Step& step, const std::string& option, const std::string& text,
                double meters = 0);
+
+  /// The same of a method. @throws Error naming what there is
+  void choose(const Step& step, const std::string& method);
 
   bool operator==(const PipelineOptions&) const = default;
 };

@@ -117,8 +117,7 @@ PipelineOptions withValue(const PipelineOptions& options, const Step& step, cons
     with.settings[step.name][option.name] = fixedAt(value);
     return with;
   }
-  with.methods[step.name] = option.wordFor(value);
-  if (&chosenMethod(step, with) != &chosenMethod(step, options)) with.settings.erase(step.name);
+  with.choose(step, option.wordFor(value));
   return with;
 }
 

@@ -63,6 +63,16 @@ def test_options_are_set_and_reset():
     assert options.contract.method == default
 
 
+def test_another_method_begins_with_its_defaults():
+    options = espalier.Options("thesis")
+    assert hasattr(options.contract, "curve")
+    options.contract.method = "geodesic_centroid"
+    assert repr(options.contract.radius) == repr(espalier.Options().contract.radius)
+    options.contract.radius = 2
+    options.contract.method = "geodesic_centroid"
+    assert options.contract.radius == 2, "it is the same method"
+
+
 def test_options_that_are_words_of_python_end_in_an_underscore():
     options = espalier.Options()
     options.crop.method = "slab"
@@ -75,7 +85,8 @@ def test_presets_are_those_of_the_program(tmp_path):
     assert espalier.Options("thesis").contract.method == "adaptive_geodesic"
     file = tmp_path / "mine.json"
     file.write_text(repr(espalier.Options("thesis")))
-    assert repr(espalier.Options(str(file))) == repr(espalier.Options("thesis"))
+    for path in (str(file), file):
+        assert repr(espalier.Options(path)) == repr(espalier.Options("thesis"))
 
 
 @pytest.mark.parametrize(

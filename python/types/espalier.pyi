@@ -79,7 +79,7 @@ class StepOptions:
 class Options:
     def __init__(
         self,
-        preset: str = "default",
+        preset: _Path = "default",
         *,
         up: _Up = "z",
         root: ArrayLike | None = None,

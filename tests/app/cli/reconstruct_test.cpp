@@ -111,6 +111,28 @@ TEST_F(Subcommands, ReconstructUsesWhatIsSet) {
   EXPECT_EQ(named("axes")["options"]["sharpest_turn"], 45);
 }
 
+TEST_F(Subcommands, ReconstructBeginsAnotherMethodThanThePresetsWithItsDefaults) {
+  const auto contractionWith = [&](const std::vector<std::string>& flags) {
+    std::vector<std::string> all = {"reconstruct", scan_,    "-o",     file("a.mtg"),
+                                    "--preset",    "thesis", "--json", file("a.json")};
+    all.insert(all.end(), flags.begin(), flags.end());
+    run(all);
+    const json steps = test::jsonIn(file("a.json"))["steps"];
+    return *std::ranges::find_if(steps,
+                                 [](const json& step) { return step["step"] == "contract"; });
+  };
+  const json own = contractionWith({"--set", "contract.method=geodesic_centroid"});
+  EXPECT_EQ(own["method"], "geodesic_centroid");
+  const json set = contractionWith(
+      {"--set", "contract.radius=0.05", "--set", "contract.method=geodesic_centroid"});
+  EXPECT_NE(own["options"]["radius"], 0.05);
+  EXPECT_EQ(set["options"]["radius"], 0.05) << "the method first, in whatever order";
+  expectRefusal(
+      runProgram({"reconstruct", scan_, "-o", file("a.mtg"), "--preset", "thesis", "--set",
+                  "contract.method=geodesic_centroid", "--set", "contract.curve=0.5"}),
+      2, {"method geodesic_centroid of step contract has no option \"curve\""});
+}
+
 TEST_F(Subcommands, ReconstructStartsAtTheRootThatIsGiven) {
   const Skeleton truth = readStructure(truth_).value.skeleton;
   Eigen::Vector3d top = Eigen::Vector3d::Zero();

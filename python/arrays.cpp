@@ -40,7 +40,15 @@ void requireShape(const py::array& array, const char* name, py::ssize_t rows, py
               (isList ? ",)" : ", " + std::to_string(columns) + ")"));
 }
 
+void requireUnmasked(const py::object& object, const char* name) {
+  if (!py::hasattr(object, "mask")) return;
+  if (py::module_::import("numpy").attr("ma").attr("is_masked")(object).cast<bool>())
+    throw Error(std::string(name) +
+                " are masked in part: give those that count, as array.data[rows]");
+}
+
 template <class T> py::array_t<T> numbersIn(const py::object& object, const char* name) {
+  requireUnmasked(object, name);
   const py::array given = py::array::ensure(object);
   if (given && given.dtype().kind() == 'c')
     throw Error(std::string(name) + " are complex numbers: give real ones");

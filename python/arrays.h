@@ -33,6 +33,9 @@ template <class T>
 /// @throws Error that names the shape to give
 void requireShape(const py::array& array, const char* name, py::ssize_t rows, py::ssize_t columns);
 
+/// @throws Error if some of an array are masked: what they hold counts for nothing
+void requireUnmasked(const py::object& object, const char* name);
+
 /// `object` as an array of float or double, which is itself if it is one.
 /// @throws Error if it holds what are no real numbers
 template <class T>

@@ -1,3 +1,4 @@
+#include "core/base/error.h"
 #include "core/evaluate/comparison_json.h"
 #include "core/evaluate/comparison_options.h"
 #include "core/evaluate/match/comparable.h"
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <optional>
 
 namespace espalier::python {
@@ -24,6 +26,9 @@ Evaluation evaluate(const HeldSkeleton& result, const HeldSkeleton& reference, b
                     bool rotates, const std::string& up, const std::optional<std::string>& unit,
                     double distance, const HeldScan* scan, int threads, const py::object& report) {
   if (unit) (void)metersIn(*unit);
+  if (!(distance >= 0) || !std::isfinite(distance))
+    throw Error("distance is " + std::string(py::str("{:.15g}").format(distance)) +
+                ": give a number above 0, or 0 for one that follows from the reference");
   requireComparable(*result.skeleton, "the result");
   requireComparable(*reference.skeleton, "the reference");
   ComparisonOptions options;
@@ -88,8 +93,9 @@ void bindEvaluate(py::module_& module) {
       [](const Evaluation& self) {
         return py::module_::import("json").attr("loads")(self.numbers);
       },
-      "All that was measured, with the keys that `espalier evaluate --json` has: traits of both,\n"
-      "the shift, agreement by distance, by order and by height.");
+      "All that was measured, with the keys of `espalier evaluate --json`: traits of both, the\n"
+      "shift, agreement by distance, by order and by height. What that file says of the files,\n"
+      "the curve, the errors and the intervals are not among it.");
   module.def(
       "evaluate", &evaluate, py::arg("result"), py::arg("reference"), py::kw_only(),
       py::arg("register") = true, py::arg("rotate") = true, py::arg("up") = "z",

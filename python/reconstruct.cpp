@@ -10,8 +10,13 @@
 namespace espalier::python {
 namespace {
 
-HeldReconstruction reconstruct(const HeldScan& scan, const HeldOptions* given, int threads,
+HeldReconstruction reconstruct(const py::object& points, const HeldOptions* given, int threads,
                                const py::object& report) {
+  if (!py::isinstance<HeldScan>(points))
+    throw py::type_error("scan is a " +
+                         std::string(py::str(py::type::of(points).attr("__name__"))) +
+                         ": make a Scan of the points, as espalier.Scan(points)");
+  const auto& scan = points.cast<const HeldScan&>();
   const PipelineOptions options = given == nullptr ? PipelineOptions() : given->options;
   auto result = std::make_shared<const Reconstruction>(
       resultOf(report, threads, [&](const Progress& progress) {

@@ -27,6 +27,7 @@ template <class T> std::vector<Eigen::Vector3d> rowsOf(const py::array_t<T>& arr
 /// The positions in an array: it is read where it lies, whatever its strides, if it has floats or
 /// doubles.
 std::vector<Eigen::Vector3d> positionsIn(const py::object& object) {
+  requireUnmasked(object, "points");
   if (py::isinstance<py::array_t<float>>(object)) {
     const auto array = py::reinterpret_borrow<py::array_t<float>>(object);
     requireShape(array, "points", -1, 3);

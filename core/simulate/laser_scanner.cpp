@@ -29,7 +29,7 @@ bool isIn(double value, double least, double most) {
 
 void check(const ScannerOptions& options) {
   requireOption(options.points >= 10 && options.points <= 100'000'000,
-                "expected 10 to 10^8 points");
+                "expected 10 to 100000000 points");
   requireOption(options.stations >= 1 && options.stations <= 100, "expected 1 to 100 stations");
   requireOption(isIn(options.distance, 0.6, 100),
                 "expected a distance of 0.6 to 100 plant extents");

@@ -79,6 +79,9 @@ def test_what_cannot_be_compared_is_refused(plant):
     dot = espalier.Skeleton([[0, 0, 0]], [-1])
     with pytest.raises(espalier.Error, match="the reference"):
         espalier.evaluate(plant.truth, dot)
+    for distance in (-1, float("nan"), float("inf")):
+        with pytest.raises(espalier.Error, match="distance is .*: give a number above 0"):
+            espalier.evaluate(plant.truth, plant.truth, distance=distance)
 
 
 def test_simulated_plants_are_those_of_the_program(tmp_path):

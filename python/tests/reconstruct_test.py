@@ -170,6 +170,11 @@ def test_a_count_that_is_no_whole_number_is_refused(plant, tmp_path):
     assert f"{plant.file}: {refusal.value}" == line
 
 
+def test_an_array_is_no_scan_yet(plant):
+    with pytest.raises(TypeError, match=r"scan is a ndarray: make a Scan of the points"):
+        espalier.reconstruct(plant.points)
+
+
 def test_an_option_that_the_chosen_method_has_not_is_refused(plant, tmp_path):
     line = refused("reconstruct", plant.file, "-o", tmp_path / "a.mtg", "--set", "contract.least_radius=3")
     options = espalier.Options()

@@ -87,6 +87,8 @@ def test_points_that_are_not_finite_are_left_out(plant):
         ([[1j, 0, 0]], "points are complex numbers: give real ones"),
         (np.zeros((4, 3), np.complex64), "points are complex numbers: give real ones"),
         (np.zeros((0, 3)), "points hold 0 rows, none of them finite: give the points of a scan"),
+        (np.ma.masked_greater(np.arange(6.0).reshape(2, 3), 4),
+         "points are masked in part: give those that count, as array.data[rows]"),
         (np.full((2, 3), np.nan), "points hold 2 rows, none of them finite: give the points of a scan"),
     ],
 )

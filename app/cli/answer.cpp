@@ -164,7 +164,7 @@ void addAnswer(CLI::App& app) {
       ->default_str("as reconstructed");
   command->add_option("--answers", flags->answers, "How many answers at most")
       ->type_name("N")
-      ->check(CLI::Range(0, 100000))
+      ->check(wholeNumber(0, 100000))
       ->capture_default_str();
   command
       ->add_option("--order", flags->order,

@@ -14,6 +14,9 @@ namespace {
 
 std::string rangeText(double least, double most) {
   if (std::isinf(most)) return "of at least " + plainDecimal(least);
+  constexpr double tiny = 1e-9; // ends that are there for the arithmetic alone
+  constexpr double huge = 1e9;
+  if (least > 0 && least <= tiny && most >= huge) return "above 0";
   return "from " + plainDecimal(least) + " to " + plainDecimal(most);
 }
 
@@ -45,22 +48,27 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-/// The long name of an option of `command` that is much like `name`: at most two of its letters,
-/// and a third of them, differ. Empty if none is.
+/// The long name of an option of `command` that is much like `name`. Empty if none is.
 std::string optionLike(const std::string& name, const CLI::App& command) {
-  std::string best;
-  const std::size_t letters = name.size() - 2; // behind the dashes
-  std::size_t least = std::min<std::size_t>(2, letters / 3) + 1;
+  std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())
-    for (const std::string& each : option->get_lnames())
-      if (const std::size_t far = distance(name, "--" + each); far < least) {
-        best = "--" + each;
-        least = far;
-      }
-  return best;
+    names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
+  const std::string like = nameLike(name.substr(2), names);
+  return like.empty() ? like : "--" + like;
 }
 
 } // namespace
+
+std::string nameLike(const std::string& name, const std::vector<std::string>& names) {
+  std::string best;
+  std::size_t least = std::min<std::size_t>(2, name.size() / 3) + 1;
+  for (const std::string& each : names)
+    if (const std::size_t far = distance(name, each); far < least) {
+      best = each;
+      least = far;
+    }
+  return best;
+}
 
 std::optional<Eigen::Vector3d> placeIn(const std::string& text) {
   Eigen::Vector3d place;

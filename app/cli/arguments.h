@@ -27,6 +27,10 @@ struct StoppedBetween {
 /// "X,Y,Z" as numbers; none if it is not three of them.
 [[nodiscard]] std::optional<Eigen::Vector3d> placeIn(const std::string& text);
 
+/// Which of the names is much like `name`: at most two of its letters, and a third of them, differ.
+/// Empty if none is.
+[[nodiscard]] std::string nameLike(const std::string& name, const std::vector<std::string>& names);
+
 /// What is wrong with an option that `command` does not have, as "--seet is no option: did you mean
 /// --set?"; empty if all are known.
 [[nodiscard]] std::string unknownOption(const CLI::App& command,

@@ -12,11 +12,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -71,6 +74,16 @@ bool isMistypedSubcommand(const std::string& argument) {
          !std::filesystem::exists(argument, isMissing);
 }
 
+/// What is wrong with a first argument that is no subcommand.
+std::string unknownFirst(const CLI::App& app, const std::string& argument) {
+  std::vector<std::string> names;
+  for (const CLI::App* each : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(each->get_name());
+  const std::string like = nameLike(argument, names);
+  return inQuotes(argument) + " is no file, subcommand or option" +
+         (like.empty() ? "" : ": did you mean " + like + "?");
+}
+
 std::string helpHint(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
   const std::string name = chosen.empty() ? "espalier" : "espalier " + chosen.front()->get_name();
@@ -84,14 +97,26 @@ std::string mismatchMessage(const std::string& what) {
   const std::size_t digits = what.find_last_not_of("0123456789") + 1;
   const std::string given = what.substr(digits);
   if (given.empty() || given == "0") return name + " needs a value";
+  constexpr std::string_view fewest = "At least ";
+  if (const std::size_t at = what.find(fewest); at != std::string::npos)
+    return name + " needs " + std::to_string(std::atoi(what.c_str() + at + fewest.size())) +
+           " values, and is given " + given;
   return name + " is given " + given + " times: give it once";
+}
+
+/// What is wrong with arguments that are left over, "x.mtg -o": with the flag, if there is one.
+std::string notExpected(const std::string& arguments) {
+  std::istringstream parts(arguments);
+  for (std::string part; parts >> part;)
+    if (part.starts_with('-')) return part + " is no option";
+  return arguments + " is not expected here";
 }
 
 /// What is wrong with the arguments, with the name of the subcommand whose help says more.
 std::string usageMessage(const CLI::App& app, const CLI::ParseError& problem) {
   std::string what = problem.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&problem) != nullptr)
-    what = what.substr(what.find(": ") + 2) + " is not expected here";
+    what = notExpected(what.substr(what.find(": ") + 2));
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&problem) != nullptr) what = mismatchMessage(what);
   return what + helpHint(app);
 }
@@ -138,8 +163,7 @@ int runCommandLine(int argc, char** argv) {
                "espalier");
   addAll(app);
   if (argc > 1 && !isSubcommand(app, argv[1]) && app.get_option_no_throw(argv[1]) == nullptr)
-    return fail(wrongUsage,
-                inQuotes(argv[1]) + " is no file, subcommand or option; see \"espalier --help\"");
+    return fail(wrongUsage, unknownFirst(app, argv[1]) + "; see \"espalier --help\"");
   if (argc > 1 && isSubcommand(app, argv[1])) {
     const std::string unknown = unknownOption(*app.get_subcommand(argv[1]),
                                               std::vector<std::string>(argv + 2, argv + argc));

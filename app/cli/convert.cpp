@@ -67,6 +67,9 @@ void convert(const ConvertFlags& flags) {
       for (const std::string& limit : openAleaLimits(structure.value.frame->mtg))
         printNotes({"OpenAlea: " + limit});
     }
+    if (flags.mtgStyle != MtgStyle::plantNode && structure.value.frame)
+      printNotes({flags.input + ": has scales of its own, and keeps them: --mtg-scales is for "
+                                "structures without"});
     writeAndReport(flags.output, structure.value, flags.mtgStyle);
   }
 }

@@ -79,8 +79,8 @@ EnvelopedPlant plantIn(const EnvelopeFlags& flags, const Progress& progress) {
 std::string meshExtension(const std::string& path) {
   const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
   if (extension != ".ply" && extension != ".obj")
-    throw WrongUsage(path + ": envelopes are written as PLY or OBJ: choose a name that ends in "
-                            ".ply or .obj");
+    throw Error(path + ": envelopes are written as PLY or OBJ: choose a name that ends in .ply or "
+                       ".obj");
   return extension;
 }
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -68,6 +69,16 @@ std::string rowOf(const std::string& name, const WoodMeasures& measures) {
   return text.data();
 }
 
+/// "2331.1 to 2331.5": to a hundredth of how high it is, wherever it lies, as on a map.
+std::string heightsOf(const MeasuredSlab& slab) {
+  const int decimals =
+      2 - static_cast<int>(std::floor(std::log10(std::max(slab.to - slab.from, 1e-9))));
+  std::array<char, 128> text = {};
+  std::snprintf(text.data(), text.size(), "%.*f to %.*f", std::clamp(decimals, 0, 9), slab.from,
+                std::clamp(decimals, 0, 9), slab.to);
+  return text.data();
+}
+
 } // namespace
 
 Json measuresJson(const ScanMeasures& measures) {
@@ -93,7 +104,7 @@ std::string measuresText(const ScanMeasures& measures) {
                 "gaps", "foliage");
   std::string text = head.data() + rowOf("all", measures.whole);
   for (auto slab = measures.slabs.rbegin(); slab != measures.slabs.rend(); ++slab)
-    text += rowOf(inThreeDigits(slab->from) + " to " + inThreeDigits(slab->to), slab->measures);
+    text += rowOf(heightsOf(*slab), slab->measures);
   return text;
 }
 

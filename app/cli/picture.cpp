@@ -114,6 +114,13 @@ Scene sceneOf(const PictureFlags& flags, const Progress& progress) {
     }
   }
   if (scene.cloud) requireColor(*scene.cloud, flags.color);
+  const bool hasPoints = scene.cloud && isWanted("points");
+  const bool hasSkeleton = !scene.skeleton.bounds().isEmpty() && isWanted("skeleton");
+  if (!hasPoints && !hasSkeleton)
+    throw Error(flags.files.front() +
+                (flags.layers.empty() ? ": there is nothing to draw: it is empty"
+                 : scene.cloud        ? ": has no skeleton to draw: give a structure, too"
+                                      : ": has no points to draw: give a scan, too"));
   scene.points.visible = isWanted("points");
   scene.skeletonVisible = isWanted("skeleton");
   scene.setPointColor(flags.color);

@@ -87,6 +87,14 @@ TEST_F(Subcommands, PictureShowsTheLayersThatAreAsked) {
   EXPECT_EQ(picture("right.png", {"--view", "right"}), picture("side.png", {"--view", "side"}));
 }
 
+TEST_F(Subcommands, PictureOfLayersThatAreNotThereIsRefused) {
+  expectRefusal(runProgram({"picture", truth_, "-o", file("a.png"), "--layers", "points"}), 1,
+                {"has no points to draw: give a scan, too"});
+  expectRefusal(runProgram({"picture", scan_, "-o", file("a.png"), "--layers", "skeleton"}), 1,
+                {"has no skeleton to draw: give a structure, too"});
+  EXPECT_FALSE(std::filesystem::exists(file("a.png")));
+}
+
 /// A project of the sample, with points that are set aside.
 void makeProject(const std::string& path, const std::string& scan, const std::string& structure) {
   History history;

@@ -31,11 +31,17 @@ TEST(Usage, AnArgumentTooManyIsNamed) {
   expectRefusal(runProgram({"info", "a.ply", "b.ply"}), 2,
                 {"b.ply is not expected here", "see \"espalier info --help\""});
   expectRefusal(runProgram({"info", "a.ply", "--bogus"}), 2, {"--bogus is no option; see"});
+  expectRefusal(runProgram({"sweep", "s.ply", "contract.radius", "-o", "a.mtg"}), 2,
+                {"-o is no option; see \"espalier sweep --help\""});
+  expectRefusal(runProgram({"register", "a.ply", "b.ply", "-o", "c.ply", "--structure", "a.mtg"}),
+                2, {"--structure needs 2 values, and is given 1; see"});
 }
 
 TEST(Usage, ASubcommandOrOptionNobodyKnowsIsNamed) {
   expectRefusal(runProgram({"reconstrct", "a.ply"}), 2,
-                {"'reconstrct' is no file, subcommand or option", "see \"espalier --help\""});
+                {"'reconstrct' is no file, subcommand or option: did you mean reconstruct?",
+                 "see \"espalier --help\""});
+  expectRefusal(runProgram({"pine", "a.ply"}), 2, {"'pine' is no file, subcommand or option; see"});
   expectRefusal(runProgram({"--bogus"}), 2, {"'--bogus' is no file, subcommand or option"});
 }
 
@@ -89,6 +95,10 @@ TEST(Usage, AValueOutOfRangeIsReportedWithTheRange) {
   expect({"simulate", "-o", "a", "--seed", "-1"}, "--seed: '-1' is given: choose a whole number");
   expect({"simulate", "-o", "a", "--noise", "nan"},
          "'nan' is given: choose a number of at least 0");
+  expect({"evaluate", "a.mtg", "b.mtg", "--distance", "5mm"},
+         "--distance: '5mm' is given: choose a number above 0; see");
+  expect({"answer", "a.ply", "--oracle", "b.mtg", "--answers", "-1"},
+         "--answers: '-1' is given: choose a whole number from 0 to 100000");
   expect({"simulate", "-o", "a", "--strays", "0.6"}, "choose a number from 0 to 0.5");
   expect({"simulate", "-o", "a", "--architecture", "moss"},
          "choose one of broadleaf, conifer, shrub, herb");

@@ -137,8 +137,8 @@ void WindowTest::key(int key, Qt::KeyboardModifiers modifiers) {
 
 void WindowTest::keyOnceDrawn(int key) {
   const int frames = view().framesAtRest();
-  ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return view().framesAtRest() != frames || view().isStill(); }, patience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view().framesAtRest() != frames || view().isStill(); },
+                              patience));
   this->key(key);
 }
 

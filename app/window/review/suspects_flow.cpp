@@ -135,6 +135,7 @@ void SuspectsFlow::connectParts() {
   });
   connect(&parts_.asking, &AskingFlow::asked, this, &SuspectsFlow::showAsked);
   connect(&parts_.asking, &AskingFlow::begun, dock_, &PanelDock::bringToFront);
+  connect(&parts_.asking, &AskingFlow::begun, this, &SuspectsFlow::leaveFinding);
   parts_.asking.askOnlyAbout([this](const Doubt& doubt) { return isListed(doubt); });
   connect(&document.selection(), &Selection::changed, this, [this] { awaitedStep_ = 0; });
   connect(&document, &PlantDocument::skeletonEdited, this, [this] { awaitedStep_ = 0; });
@@ -413,6 +414,8 @@ void SuspectsFlow::goTo(const Finding& finding) {
   const bool isOfNow = parts_.findings.arePointsOfNow();
   parts_.document.pointSelection().set(isOfNow ? parts_.distances.inScan(finding.points)
                                                : PointSet());
+  nodesOfFinding_ = parts_.document.selection().nodes();
+  pointsOfFinding_ = parts_.document.pointSelection().points();
   Sight sight{.nodes = nodes};
   for (const NodeId id : nodes)
     if (const auto parent = skeleton[id].parent) sight.nodes.push_back(*parent);
@@ -426,6 +429,14 @@ void SuspectsFlow::goTo(const Finding& finding) {
   parts_.view.flyTo(camera, focusOn(skeleton, sight));
   const QString sentence = sentenceOf(finding);
   emit noted(note.isEmpty() ? sentence : note + QStringLiteral(" · ") + sentence);
+}
+
+/// Keys would act on it where something else is looked at.
+void SuspectsFlow::leaveFinding() {
+  if (parts_.document.selection().nodes() == std::exchange(nodesOfFinding_, {}))
+    parts_.document.selection().clear();
+  if (parts_.document.pointSelection().points() == std::exchange(pointsOfFinding_, {}))
+    parts_.document.pointSelection().clear();
 }
 
 void SuspectsFlow::toggleIgnored() {

@@ -79,6 +79,7 @@ private:
   void answer();
   void choose(std::size_t row);
   void goTo(const Finding& finding);
+  void leaveFinding();
   void showAsked(const std::optional<Doubt>& doubt, bool isByHand);
   void toggleIgnored();
   void showAction();
@@ -113,6 +114,8 @@ private:
   Listed listed_ = Listed::all; // of the plant
   std::vector<bool> isIn_;      // by id, what is listed of it; nodes that are newer are
   std::optional<What> current_;
+  std::vector<NodeId> nodesOfFinding_; // that were selected where it was gone to
+  PointSet pointsOfFinding_;           // likewise
   struct Place {
     std::size_t row;
     double gain;

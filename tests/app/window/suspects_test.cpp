@@ -219,6 +219,24 @@ TEST_F(SuspectsTest, TheKeyGoesThroughBothByTheirGain) {
   EXPECT_EQ(panel().current(), count - 2);
 }
 
+TEST_F(SuspectsTest, WhatAFindingHasSelectedGoesWhereADoubtIsAskedAbout) {
+  const auto atPoints = std::ranges::find_if(rows(), [&](const Suspect& one) {
+    return !one.isDoubt() && findings()[one.number].kind == Finding::Kind::unexplainedPoints;
+  });
+  if (atPoints != rows().end()) {
+    go(static_cast<std::size_t>(atPoints - rows().begin()));
+    EXPECT_FALSE(document().pointSelection().isEmpty());
+  } else {
+    go(first(false));
+  }
+  ASSERT_FALSE(document().selection().isEmpty());
+  go(first(true));
+  ASSERT_TRUE(isAsked());
+  key(Qt::Key_Escape);
+  EXPECT_TRUE(document().selection().isEmpty()) << "keys would act on what is not looked at";
+  EXPECT_TRUE(document().pointSelection().isEmpty());
+}
+
 TEST_F(SuspectsTest, AnAnswerGoesOnFromWhereTheKeyHasLed) {
   std::vector<Doubt> met;
   for (int i = 0; i < 40 && met.size() < 3; ++i) {

@@ -113,7 +113,15 @@ bool ProjectFlow::saveAs() {
                                      : QFileInfo(scan).path());
   dialog.selectFile(nameOf(parts_.document) + ".espalier");
   if (dialog.exec() != QDialog::Accepted) return isNamed();
-  saveAs(dialog.selectedFiles().front());
+  QString path = dialog.selectedFiles().front();
+  if (const QString ending = QStringLiteral(".espalier"); !path.endsWith(ending)) {
+    path += ending; // by which projects are known
+    if (QFileInfo::exists(path))
+      throw Error(tr("%1 is there already: choose that name to replace it")
+                      .arg(QFileInfo(path).fileName())
+                      .toStdString());
+  }
+  saveAs(path);
   return true;
 }
 

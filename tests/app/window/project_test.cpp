@@ -43,6 +43,19 @@ TEST_F(ProjectWindowTest, KeepsPlantScanAndHistoryInAProject) {
   EXPECT_EQ(document().skeleton()[forkTop].radius, 0.4) << "redo survives";
 }
 
+TEST_F(ProjectWindowTest, IsSavedUnderTheEndingByWhichProjectsAreKnown) {
+  open({writeFork("fork.mtg")});
+  saveProject("anna.esp");
+  EXPECT_FALSE(QFile::exists(path("anna.esp")));
+  EXPECT_TRUE(QFile::exists(path("anna.esp.espalier")));
+  open({writeFork("other.mtg")});
+  const auto before = QFileInfo(path("anna.esp.espalier")).size();
+  saveProject("anna.esp");
+  EXPECT_TRUE(window().banner().text().contains("anna.esp.espalier is there already"))
+      << window().banner().text().toStdString();
+  EXPECT_EQ(QFileInfo(path("anna.esp.espalier")).size(), before);
+}
+
 TEST_F(ProjectWindowTest, SaysThatEverythingIsSavedOnSave) {
   open({writeFork("fork.mtg")});
   saveProject("plant.espalier");

@@ -255,13 +255,17 @@ void ErrorWalk::accept() {
 
 void ErrorWalk::toggleIgnored() {
   const DifferingPart part = chosen();
-  if (isIgnored(part))
+  const bool wasIgnored = isIgnored(part);
+  if (wasIgnored)
     std::erase_if(ignored_, [&](const DifferingPart& other) {
       return isSame(other, part, evaluation_->tolerance);
     });
   else
     ignored_.push_back({.kind = part.kind, .nodes = {}, .at = part.at});
   list();
+  emit noted(wasIgnored ? tr("Listed again: %1").arg(titleOf(part.kind))
+                        : tr("Ignored: %1. The button above the list shows what is ignored")
+                              .arg(titleOf(part.kind)));
   emit ignoredChanged();
 }
 

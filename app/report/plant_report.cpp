@@ -242,7 +242,7 @@ ReportSection wood(const Parts& parts) {
               ? ReportText::tr("Diameter of the stem at breast height, 1.3 m: %1.")
                     .arg(numbers.length(*measures.stemDiameter))
               : ReportText::tr("There is no diameter of the stem at breast height, 1.3 m: %1.")
-                    .arg(QString::fromStdString(measures.stemMissing)),
+                    .arg(shownText(measures.stemMissing)),
           ReportParagraph::Look::note});
   }
   return section;

@@ -179,9 +179,10 @@ ReportSection handWorkSection(const HandWork& work, const ReportNumbers& numbers
                                         : ReportText::tr("%1 edits").arg(numbers.count(done.edits));
   const QString text =
       done.edits == 0
-          ? ReportText::tr("Nothing was corrected by hand since the last reconstruction.")
-          : ReportText::tr("Since the last reconstruction: %1, %2 of work. Pauses of over 5 "
-                           "minutes do not count.")
+          ? ReportText::tr(
+                "Nothing was corrected by hand since the plant was reconstructed or opened.")
+          : ReportText::tr("Since the plant was reconstructed or opened: %1, %2 of work. Pauses of "
+                           "over 5 minutes do not count.")
                 .arg(edits, formatWorkTime(work.time));
   ReportSection section{ReportText::tr("Work by hand"), {ReportParagraph{text}}};
   if (done.edits > 0) section.blocks.emplace_back(std::move(table));

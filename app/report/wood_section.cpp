@@ -1,4 +1,5 @@
 #include "app/report/report_sections.h"
+#include "ui/document/shown_text.h"
 
 #include <algorithm>
 
@@ -50,7 +51,7 @@ void addStems(ReportSection& section, const ReportParts& parts) {
   if (!stems.missing.empty()) {
     section.blocks.emplace_back(ReportParagraph{
         ReportText::tr("The diameters of the stems at breast height, 1.3 m, are not compared: %1.")
-            .arg(QString::fromStdString(stems.missing)),
+            .arg(shownText(stems.missing)),
         ReportParagraph::Look::note});
     return;
   }

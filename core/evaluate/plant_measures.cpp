@@ -14,9 +14,9 @@ namespace espalier {
 namespace {
 
 StemDiameter stemOfPlant(const Skeleton& plant, double breastHeight) {
-  if (!(breastHeight > 0)) return {{}, "the unit of the lengths is not known"};
+  if (!(breastHeight > 0)) return {{}, Shown::tr("the unit of the lengths is not known")};
   const double foot = plant[stemOf(plant).front()].position.z();
-  return stemDiameterAt(plant, foot + breastHeight, "the plant");
+  return stemDiameterAt(plant, foot + breastHeight, StemOf::plant);
 }
 
 } // namespace

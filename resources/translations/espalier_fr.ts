@@ -1942,14 +1942,6 @@
         <translation>%1 modifications</translation>
     </message>
     <message>
-        <source>Nothing was corrected by hand since the last reconstruction.</source>
-        <translation>Rien n’a été corrigé à la main depuis la dernière reconstruction.</translation>
-    </message>
-    <message>
-        <source>Since the last reconstruction: %1, %2 of work. Pauses of over 5 minutes do not count.</source>
-        <translation>Depuis la dernière reconstruction&#xa0;: %1, %2 de travail. Les pauses de plus de 5 minutes ne comptent pas.</translation>
-    </message>
-    <message>
         <source>Work by hand</source>
         <translation>Travail à la main</translation>
     </message>
@@ -2288,6 +2280,14 @@
     <message>
         <source>Points were set aside, or their organs set, by hand: the command knows nothing of that.</source>
         <translation>Des points ont été mis à part, ou leurs organes fixés, à la main&#xa0;: la commande n’en sait rien.</translation>
+    </message>
+    <message>
+        <source>Nothing was corrected by hand since the plant was reconstructed or opened.</source>
+        <translation>Rien n’a été corrigé à la main depuis que la plante a été reconstruite ou ouverte.</translation>
+    </message>
+    <message>
+        <source>Since the plant was reconstructed or opened: %1, %2 of work. Pauses of over 5 minutes do not count.</source>
+        <translation>Depuis que la plante a été reconstruite ou ouverte&#xa0;: %1, %2 de travail. Les pauses de plus de 5 minutes ne comptent pas.</translation>
     </message>
 </context>
 <context>
@@ -4697,6 +4697,14 @@
         <source>nothing differs from the reference within the tolerance</source>
         <translation>rien ne diffère de la référence à la tolérance près</translation>
     </message>
+    <message>
+        <source>Listed again: %1</source>
+        <translation>De nouveau dans la liste&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Ignored: %1. The button above the list shows what is ignored</source>
+        <translation>Ignoré&#xa0;: %1. Le bouton au-dessus de la liste montre ce qui est ignoré</translation>
+    </message>
 </context>
 <context>
     <name>espalier::EvaluationFlow</name>
@@ -4871,8 +4879,8 @@
         <translation>%1 modifications</translation>
     </message>
     <message>
-        <source>Since the last reconstruction: %1</source>
-        <translation>Depuis la dernière reconstruction&#xa0;: %1</translation>
+        <source>Since the plant was reconstructed or opened: %1</source>
+        <translation>Depuis que la plante a été reconstruite ou ouverte&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -7385,6 +7393,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>Go Back to It</source>
         <translation>Y revenir</translation>
+    </message>
+    <message>
+        <source>%1 is there already: choose that name to replace it</source>
+        <translation>%1 existe déjà&#xa0;: choisissez ce nom pour le remplacer</translation>
     </message>
 </context>
 <context>
@@ -15230,6 +15242,34 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>parted by blanks</source>
         <translation>séparé par des blancs</translation>
+    </message>
+    <message>
+        <source>the unit of the lengths is not known</source>
+        <translation>l’unité des longueurs n’est pas connue</translation>
+    </message>
+    <message>
+        <source>the reference begins above breast height</source>
+        <translation>la référence commence au-dessus de la hauteur de poitrine</translation>
+    </message>
+    <message>
+        <source>the plant begins above breast height</source>
+        <translation>la plante commence au-dessus de la hauteur de poitrine</translation>
+    </message>
+    <message>
+        <source>the reference has no radius at breast height</source>
+        <translation>la référence n’a pas de rayon à hauteur de poitrine</translation>
+    </message>
+    <message>
+        <source>the plant has no radius at breast height</source>
+        <translation>la plante n’a pas de rayon à hauteur de poitrine</translation>
+    </message>
+    <message>
+        <source>the stem of the reference does not rise that high</source>
+        <translation>la tige de la référence ne monte pas si haut</translation>
+    </message>
+    <message>
+        <source>the stem of the plant does not rise that high</source>
+        <translation>la tige de la plante ne monte pas si haut</translation>
     </message>
 </context>
 <context>

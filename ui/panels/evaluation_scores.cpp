@@ -2,6 +2,7 @@
 
 #include "ui/document/hand_work_text.h"
 #include "ui/document/plant_document.h"
+#include "ui/document/shown_text.h"
 #include "ui/panels/label_role.h"
 #include "ui/panels/score_text.h"
 
@@ -128,9 +129,8 @@ void EvaluationScores::show(const Evaluation& evaluation) {
     for (const auto& [key, value] : *labels)
       value->setText(textOf(scores.at(key), scoreOf(key).unit, document_.unit()));
   const std::string& missing = evaluation.comparison.stems.missing;
-  stems_->setText(missing.empty()
-                      ? QString()
-                      : tr("No diameters at 1.3 m: %1").arg(QString::fromStdString(missing)));
+  stems_->setText(missing.empty() ? QString()
+                                  : tr("No diameters at 1.3 m: %1").arg(shownText(missing)));
   stems_->setVisible(!missing.empty());
   fit();
 }
@@ -189,7 +189,8 @@ void EvaluationScores::showHandWork(const HandWork& work) {
                             : tr("%1, %2").arg(edits == 1 ? tr("1 edit")
                                                           : tr("%1 edits").arg(formatCount(edits)),
                                                formatWorkTime(work.time)));
-  work_->setToolTip(tr("Since the last reconstruction: %1").arg(describe(work.corrections)));
+  work_->setToolTip(
+      tr("Since the plant was reconstructed or opened: %1").arg(describe(work.corrections)));
   fit();
 }
 

@@ -1,5 +1,6 @@
 #include "core/evaluate/traits/breast_height.h"
 
+#include "core/base/shown.h"
 #include "core/evaluate/traits/axis_traits.h"
 #include "core/evaluate/traits/stem_diameter.h"
 
@@ -23,12 +24,12 @@ StemDiameters stemDiameters(const Skeleton& result, const Skeleton& reference, d
   StemDiameters diameters{.height = height};
   const Axis stem = stemOf(reference);
   if (!(height > 0) || stem.empty()) {
-    diameters.missing = "the unit of the lengths is not known";
+    diameters.missing = Shown::tr("the unit of the lengths is not known");
     return diameters;
   }
   const double z = reference[stem.front()].position.z() + height;
-  const StemDiameter expected = stemDiameterAt(reference, z, "the reference");
-  const StemDiameter found = stemDiameterAt(result, z, "the plant");
+  const StemDiameter expected = stemDiameterAt(reference, z, StemOf::reference);
+  const StemDiameter found = stemDiameterAt(result, z, StemOf::plant);
   diameters.reference = expected.value;
   diameters.result = found.value;
   diameters.missing = expected.missing.empty() ? found.missing : expected.missing;

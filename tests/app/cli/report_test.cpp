@@ -99,8 +99,8 @@ TEST_F(EvaluateReport, ReportsStemsAtBreastHeightOrWhyNot) {
   EXPECT_TRUE(none["height"].is_null());
   EXPECT_TRUE(none["error"].is_null());
   const auto [low, short_] = numbers({"--unit", "mm"});
-  EXPECT_THAT(low, HasSubstr("the stem of the reference does not rise to breast height"));
-  EXPECT_EQ(short_["missing"], "the stem of the reference does not rise to breast height, 1.3 m");
+  EXPECT_THAT(low, HasSubstr("the stem of the reference does not rise that high"));
+  EXPECT_EQ(short_["missing"], "the stem of the reference does not rise that high");
 }
 
 TEST_F(EvaluateReport, IsWrittenAsPdfToo) {

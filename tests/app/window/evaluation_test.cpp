@@ -136,7 +136,7 @@ TEST_F(EvaluationWindowTest, ShowsDiametersAtBreastHeightOnceTheUnitIsKnown) {
   EXPECT_EQ(score("dbh_error"), formatLength(0.01, LengthUnit::meter, 3));
   document().setUnit(LengthUnit::millimeter);
   ASSERT_TRUE(waitForScores());
-  EXPECT_TRUE(score("stems").contains("does not rise to breast height"));
+  EXPECT_TRUE(score("stems").contains("does not rise that high"));
 }
 
 TEST_F(EvaluationWindowTest, MeasuresByTheToleranceThatIsChosen) {
@@ -369,6 +369,7 @@ TEST_F(EvaluationWindowTest, IgnoredErrorsLeaveTheListAndAreKeptInTheProject) {
   key(Qt::Key_F3, Qt::ControlModifier);
   EXPECT_EQ(errors(), "1 error");
   EXPECT_EQ(find<QToolButton>("differences_ignored").text(), "1 ignored");
+  EXPECT_TRUE(window().statusLine().shownText().startsWith("Ignored: "));
   const QString file = saveProject("plant.espalier");
   window().close();
   restart();

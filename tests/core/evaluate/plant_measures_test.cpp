@@ -81,7 +81,7 @@ TEST(PlantMeasures, LeaveOutWhatThereIsNot) {
   EXPECT_FALSE(has(traitRows(measures), "diameter at 1.3 m"));
   EXPECT_EQ(measures.stemMissing, "the unit of the lengths is not known");
   EXPECT_EQ(plantMeasures(test::stick(2), {.breastHeight = 1.3}).stemMissing,
-            "the stem of the plant does not rise to breast height, 1.3 m");
+            "the stem of the plant does not rise that high");
   Skeleton thin = test::stick(5);
   for (const NodeId id : thin.ids())
     thin.setRadius(id, 0);

@@ -92,7 +92,8 @@ void setMethod(const StepOptions& self, const std::string& name) {
 }
 
 void resetMethod(const StepOptions& self) {
-  self.all->options.methods.erase(self.step->name);
+  self.all->options.choose(*self.step, self.step->methods.front().name);
+  self.all->options.methods.erase(self.step->name); // as if none had been chosen
 }
 
 /// `property`, which reads, sets and resets.

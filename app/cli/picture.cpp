@@ -120,7 +120,8 @@ Scene sceneOf(const PictureFlags& flags, const Progress& progress) {
     throw Error(flags.files.front() +
                 (flags.layers.empty() ? ": there is nothing to draw: it is empty"
                  : scene.cloud        ? ": has no skeleton to draw: give a structure, too"
-                                      : ": has no points to draw: give a scan, too"));
+                 : isProject(flags.files.front()) ? ": has no points to draw: draw its skeleton"
+                                                  : ": has no points to draw: give a scan, too"));
   scene.points.visible = isWanted("points");
   scene.skeletonVisible = isWanted("skeleton");
   scene.setPointColor(flags.color);

@@ -337,6 +337,8 @@ void addSimulate(CLI::App& app) {
   command->add_option("--from", flags->from, "Structure to scan instead of growing one")
       ->type_name("FILE");
   addGrowth(*command, flags->growth);
+  for (const char* ofGrowth : {"--height", "--segments"})
+    command->get_option("--from")->excludes(command->get_option(ofGrowth));
   addScanner(*command, flags->scanner);
   addFoliage(*command, *flags);
   addPlot(*command, *flags);

@@ -71,6 +71,10 @@ def test_another_method_begins_with_its_defaults():
     options.contract.radius = 2
     options.contract.method = "geodesic_centroid"
     assert options.contract.radius == 2, "it is the same method"
+    options.contract.method = "adaptive_geodesic"
+    options.contract.circles = False
+    del options.contract.method
+    assert json.loads(repr(options)).get("contract") is None
 
 
 def test_options_that_are_words_of_python_end_in_an_underscore():

@@ -149,6 +149,8 @@ TEST_F(Subcommands, SimulateHidesWoodInClumpsOfLeaves) {
 }
 
 TEST_F(Subcommands, SimulateScansAnyStructure) {
+  expectRefusal(runProgram({"simulate", "--from", truth_, "-o", file("a"), "--segments", "60"}), 2,
+                {"--from excludes --segments"});
   EXPECT_EQ(runProgram({"simulate", "--from", truth_, "-o", file("a"), "--points", "5000"}).status,
             0);
   const PointCloud cloud = readPoints(file("a.ply")).value;

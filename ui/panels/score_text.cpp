@@ -55,7 +55,8 @@ QString tipOf(const Score& score) {
 
 QString intervalText(const ScoreInterval& interval) {
   const auto share = [](double value) { return QString::number(value, 'f', 3); };
-  return Titles::tr("95 % interval: %1 to %2, from drawing segments of the reference again and again")
+  return Titles::tr(
+             "95 % interval: %1 to %2, from drawing segments of the reference again and again")
       .arg(share(interval.low), share(interval.high));
 }
 

@@ -62,14 +62,21 @@ ReportTable sealTable(const Seal& seal, LengthUnit unit) {
   return table;
 }
 
+QString placeOf(const SealedComment& comment) {
+  const QString first = QString::number(indexOf(comment.first));
+  return comment.nodes == 1
+             ? first
+             : ReportText::tr("%1 and %2 more", "nodes").arg(first, formatCount(comment.nodes - 1));
+}
+
 ReportTable commentsTable(const std::vector<SealedComment>& comments, std::size_t most) {
   ReportTable table;
-  table.columns = {
-      {ReportText::tr("comment"), false}, {ReportText::tr("by"), false}, {ReportText::tr("nodes")}};
+  table.columns = {{ReportText::tr("comment"), false},
+                   {ReportText::tr("by"), false},
+                   {ReportText::tr("at node")}};
   for (const SealedComment& comment : comments)
     if (table.rows.size() < most)
-      table.rows.push_back(
-          {{shortened(comment.text)}, {comment.reviewer}, {formatCount(comment.nodes)}});
+      table.rows.push_back({{shortened(comment.text)}, {comment.reviewer}, {placeOf(comment)}});
   if (comments.size() > most)
     table.rows.push_back(
         {{ReportText::tr("and %1 more, in the project").arg(comments.size() - most)}, {}, {}});
@@ -118,6 +125,7 @@ std::vector<SealedComment> commentsOf(const Skeleton& skeleton) {
     if (comment.nodes++ > 0) continue;
     comment.text = QString::fromStdString(mark.comment);
     comment.reviewer = QString::fromStdString(mark.reviewer);
+    comment.first = id;
   }
   std::vector<SealedComment> comments;
   comments.reserve(found.size());

@@ -16,6 +16,7 @@ struct SealedComment {
   QString text;
   QString reviewer;      // who marked the node; may be empty
   std::size_t nodes = 0; // that have it
+  NodeId first{};        // of these
 
   bool operator==(const SealedComment&) const = default;
 };

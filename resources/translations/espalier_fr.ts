@@ -2289,6 +2289,15 @@
         <source>Since the plant was reconstructed or opened: %1, %2 of work. Pauses of over 5 minutes do not count.</source>
         <translation>Depuis que la plante a été reconstruite ou ouverte&#xa0;: %1, %2 de travail. Les pauses de plus de 5 minutes ne comptent pas.</translation>
     </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <comment>nodes</comment>
+        <translation>%1 et %2 autres</translation>
+    </message>
+    <message>
+        <source>at node</source>
+        <translation>au nœud</translation>
+    </message>
 </context>
 <context>
     <name>ReportedPlant</name>

@@ -90,8 +90,19 @@ TEST(Certificate, ListsEachCommentOnce) {
   plant.setReview(NodeId{3}, {.comment = "thin"});
   plant.setReview(NodeId{4}, {.comment = "broken", .reviewer = "Ben"});
   plant.setReview(NodeId{5}, {.comment = "broken", .reviewer = "Ben"});
-  const std::vector<SealedComment> expected = {{"broken", "Ben", 2}, {"thin", {}, 1}};
+  const std::vector<SealedComment> expected = {{"broken", "Ben", 2, NodeId{4}},
+                                               {"thin", {}, 1, NodeId{3}}};
   EXPECT_EQ(commentsOf(plant), expected);
+  CertificateAbout about = aboutSeal();
+  about.comments = expected;
+  QStringList places;
+  const Report report = certificate(wholeSeal(), {}, about);
+  for (const auto& block : report.sections.front().blocks)
+    if (const auto* table = std::get_if<ReportTable>(&block))
+      if (table->columns.back().title == "at node")
+        for (const auto& row : table->rows)
+          places.append(row.back().text);
+  EXPECT_EQ(places, (QStringList{"4 and 1 more", "3"}));
 }
 
 } // namespace

@@ -80,6 +80,7 @@ PairFit fitPairs(const std::vector<TargetPair>& pairs) {
 std::vector<double> distancesApart(const std::vector<TargetPair>& pairs,
                                    const Eigen::Isometry3d& motion) {
   std::vector<double> distances;
+  distances.reserve(pairs.size());
   for (const TargetPair& pair : pairs)
     distances.push_back((motion * pair.moved - pair.fixed).norm());
   return distances;

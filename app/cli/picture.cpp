@@ -118,10 +118,9 @@ Scene sceneOf(const PictureFlags& flags, const Progress& progress) {
   const bool hasSkeleton = !scene.skeleton.bounds().isEmpty() && isWanted("skeleton");
   if (!hasPoints && !hasSkeleton)
     throw Error(flags.files.front() +
-                (flags.layers.empty() ? ": there is nothing to draw: it is empty"
-                 : scene.cloud        ? ": has no skeleton to draw: give a structure, too"
-                 : isProject(flags.files.front()) ? ": has no points to draw: draw its skeleton"
-                                                  : ": has no points to draw: give a scan, too"));
+                (flags.layers.empty() ? ": is empty: there is nothing to draw"
+                 : scene.cloud ? ": has no skeleton to draw: give a structure, or no --layers"
+                               : ": has no points to draw: give a scan, or no --layers"));
   scene.points.visible = isWanted("points");
   scene.skeletonVisible = isWanted("skeleton");
   scene.setPointColor(flags.color);

@@ -36,7 +36,7 @@ const char* sentenceOn(int code) {
   case EACCES:
   case EPERM:
   case EROFS:
-    return Shown::tr("cannot be written: %1; choose a folder you may write to");
+    return Shown::tr("cannot be written: %1; choose another name, or a folder you may write to");
   case ENOENT:
   case ENOTDIR:
     return Shown::tr("cannot be written: %1; create the folder first or choose another");

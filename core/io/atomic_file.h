@@ -40,8 +40,7 @@ private:
 
 /// Reports before a long computation what writeAtomically would report after it: that the folder is
 /// missing, that a folder has this name, or that writing there, or to a file that is there, is not
-/// allowed. It writes nothing,
-/// so a full disk shows only later.
+/// allowed. It writes nothing, so a full disk shows only later.
 /// @throws Error as writeAtomically
 void requireWritable(const std::filesystem::path& path);
 

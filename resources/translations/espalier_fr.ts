@@ -13233,8 +13233,8 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>ne peut pas être écrit&#xa0;: %1&#xa0;; libérez de la place ou choisissez un autre disque</translation>
     </message>
     <message>
-        <source>cannot be written: %1; choose a folder you may write to</source>
-        <translation>ne peut pas être écrit&#xa0;: %1&#xa0;; choisissez un dossier où vous pouvez écrire</translation>
+        <source>cannot be written: %1; choose another name, or a folder you may write to</source>
+        <translation>ne peut pas être écrit&#xa0;: %1&#xa0;; choisissez un autre nom, ou un dossier où vous pouvez écrire</translation>
     </message>
     <message>
         <source>cannot be written: %1; create the folder first or choose another</source>

@@ -114,7 +114,8 @@ bool ProjectFlow::saveAs() {
   dialog.selectFile(nameOf(parts_.document) + ".espalier");
   if (dialog.exec() != QDialog::Accepted) return isNamed();
   QString path = dialog.selectedFiles().front();
-  if (const QString ending = QStringLiteral(".espalier"); !path.endsWith(ending)) {
+  if (const QString ending = QStringLiteral(".espalier");
+      !path.endsWith(ending, Qt::CaseInsensitive)) {
     path += ending; // by which projects are known
     if (QFileInfo::exists(path))
       throw Error(tr("%1 is there already: choose that name to replace it")

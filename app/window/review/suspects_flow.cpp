@@ -460,18 +460,6 @@ void SuspectsFlow::toggleIgnored() {
   choose(std::min(*row, count - 1)); // keys act on what the list names
 }
 
-/// The command says what it will do.
-void SuspectsFlow::showAction() {
-  const auto row = panel_->current();
-  const bool isIgnored = row && panel_->suspects()[*row].isIgnored();
-  const bool isDoubt = row && panel_->suspects()[*row].isDoubt();
-  parts_.actions["ignore_finding"]->setText(
-      isDoubt ? (isIgnored ? tr("Show Doubt Again") : tr("Ignore Doubt"))
-              : (isIgnored ? tr("Show Finding Again") : tr("Ignore Finding")));
-  QAction* ignore = parts_.actions["ignore_finding"];
-  ignore->setIconText(isIgnored ? tr("Show Again") : ignore->text());
-}
-
 void SuspectsFlow::selectAll() {
   dock_->bringToFront();
   parts_.findings.checkNow();

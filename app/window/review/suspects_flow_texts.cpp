@@ -180,4 +180,16 @@ void SuspectsFlow::refreshAgreement() {
   refreshTexts();
 }
 
+/// The command says what it will do.
+void SuspectsFlow::showAction() {
+  const auto row = panel_->current();
+  const bool isIgnored = row && panel_->suspects()[*row].isIgnored();
+  const bool isDoubt = row && panel_->suspects()[*row].isDoubt();
+  parts_.actions["ignore_finding"]->setText(
+      isDoubt ? (isIgnored ? tr("Show Doubt Again") : tr("Ignore Doubt"))
+              : (isIgnored ? tr("Show Finding Again") : tr("Ignore Finding")));
+  QAction* ignore = parts_.actions["ignore_finding"];
+  ignore->setIconText(isIgnored ? tr("Show Again") : ignore->text());
+}
+
 } // namespace espalier

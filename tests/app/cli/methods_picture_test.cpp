@@ -89,9 +89,9 @@ TEST_F(Subcommands, PictureShowsTheLayersThatAreAsked) {
 
 TEST_F(Subcommands, PictureOfLayersThatAreNotThereIsRefused) {
   expectRefusal(runProgram({"picture", truth_, "-o", file("a.png"), "--layers", "points"}), 1,
-                {"has no points to draw: give a scan, too"});
+                {"has no points to draw: give a scan, or no --layers"});
   expectRefusal(runProgram({"picture", scan_, "-o", file("a.png"), "--layers", "skeleton"}), 1,
-                {"has no skeleton to draw: give a structure, too"});
+                {"has no skeleton to draw: give a structure, or no --layers"});
   EXPECT_FALSE(std::filesystem::exists(file("a.png")));
 }
 

@@ -53,9 +53,9 @@ nlohmann::ordered_json numbersOf(const ConsensusFlags& flags, const Consensus& c
   nlohmann::ordered_json places = nlohmann::ordered_json::array();
   for (const Disagreement& place : consensus.places)
     places.push_back({{"with", flags.plants[place.with]},
-                      {"kind", nameOf(place.part.kind)},
-                      {"length", place.part.length},
-                      {"place", {place.part.at.x(), place.part.at.y(), place.part.at.z()}}});
+                      {"kind", nameOf(place.kind)},
+                      {"length", place.length},
+                      {"place", {place.at.x(), place.at.y(), place.at.z()}}});
   return {{"distance", tolerance},
           {"plants", plants},
           {"nodes", consensus.agreed.size()},

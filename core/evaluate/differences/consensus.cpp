@@ -21,6 +21,61 @@ struct Agreement {
   std::vector<bool> isAttached;
 };
 
+bool isOn(const Eigen::Vector3d& place, const Eigen::Vector3d& start, const Eigen::Vector3d& end) {
+  return (place - start).norm() + (place - end).norm() <= (end - start).norm() * (1 + 1e-9);
+}
+
+/// Edges from one down to the one whose lower end, or middle, is at `place`, and on as long as they
+/// are not near the other skeleton; none if that place is not below.
+/// @param kinds of the edges of the plant, by id
+std::vector<NodeId> edgesDownTo(const Eigen::Vector3d& place, const Skeleton& plant, NodeId edge,
+                                const std::vector<Difference>& kinds) {
+  std::vector<NodeId> edges;
+  bool isMet = false;
+  for (NodeId next = edge; plant[next].parent; next = *plant[next].parent) {
+    if (isMet && kinds[indexOf(next)] == Difference::matched) break;
+    edges.push_back(next);
+    isMet = isMet || isOn(place, plant[*plant[next].parent].position, plant[next].position);
+  }
+  return isMet ? edges : std::vector<NodeId>{};
+}
+
+/// Wood that two skeletons attach to something else, as one of them sees it.
+struct Dispute {
+  const DifferingPart* part;      // of that one
+  std::vector<NodeId> otherEdges; // by which the other attaches it, from there down
+};
+
+std::vector<Dispute> disputesIn(const Differences& found, const Skeleton& other) {
+  std::vector<Dispute> disputes;
+  for (const DifferingPart& part : found.parts) {
+    if (part.kind != Difference::wronglyAttached) continue;
+    const std::vector<NodeId>& edges = found.standsOn[indexOf(part.attached)];
+    disputes.push_back(
+        {&part,
+         edges.empty() ? edges : edgesDownTo(part.place, other, edges.front(), found.ofReference)});
+  }
+  return disputes;
+}
+
+bool areSame(const Dispute& one, const Dispute& ofOther) {
+  return std::ranges::count(one.otherEdges, ofOther.part->attached) > 0 ||
+         std::ranges::count(ofOther.otherEdges, one.part->attached) > 0;
+}
+
+/// Of one of two skeletons, the edges by which it or the other sees wood attached elsewhere.
+std::vector<bool> disputedEdges(const Skeleton& plant, const std::vector<Dispute>& own,
+                                const std::vector<Dispute>& ofOther) {
+  std::vector<bool> isDisputed(plant.idEnd(), false);
+  for (const Dispute& each : own)
+    for (const NodeId id : each.part->nodes)
+      isDisputed[indexOf(id)] = true;
+  for (const Dispute& each : ofOther)
+    for (const NodeId id : each.otherEdges)
+      isDisputed[indexOf(id)] = true;
+  return isDisputed;
+}
+
 void restrictTo(Agreement& agreement, const Differences& found) {
   for (std::size_t id = 0; id < found.ofResult.size(); ++id)
     if (found.ofResult[id] == Difference::invented) agreement.isThere[id] = false;
@@ -30,6 +85,13 @@ void restrictTo(Agreement& agreement, const Differences& found) {
     for (const NodeId id : part.nodes) // what leads there may be of none of the others
       if (found.standsOn[indexOf(id)].empty()) agreement.isThere[indexOf(id)] = false;
   }
+}
+
+/// What is borne along edges that are not all there is a tree of its own already.
+void restrictTo(Agreement& agreement, const Dispute& ofOther) {
+  if (std::ranges::all_of(ofOther.otherEdges,
+                          [&](NodeId id) { return agreement.isThere[indexOf(id)]; }))
+    agreement.isAttached[indexOf(ofOther.otherEdges.back())] = false;
 }
 
 /// Wood that both have, each from its other end up: their roots are elsewhere, or a branch is
@@ -61,6 +123,44 @@ std::vector<DifferingPart> turnedParts(const Skeleton& first, const Skeleton& ot
     if (part.length > 3 * found.tolerance) parts.push_back(std::move(part));
   }
   return parts;
+}
+
+/// Where two skeletons differ, the longest first; restricts what is agreed on.
+std::vector<Disagreement> compared(const Skeleton& first, const Skeleton& other,
+                                   const Differences& found, const Differences& back,
+                                   Agreement& agreement) {
+  const std::vector<Dispute> own = disputesIn(found, other);
+  std::vector<Dispute> ofOther = disputesIn(back, first);
+  const std::vector<bool> isDisputed = disputedEdges(first, own, ofOther);
+  const std::vector<bool> isDisputedInOther = disputedEdges(other, ofOther, own);
+  std::erase_if(ofOther, [&](const Dispute& each) {
+    return each.otherEdges.empty() ||
+           std::ranges::any_of(own, [&](const Dispute& mine) { return areSame(mine, each); });
+  });
+  restrictTo(agreement, found);
+  std::vector<Disagreement> places;
+  const auto add = [&](const DifferingPart& part) {
+    places.push_back({.kind = part.kind, .length = part.length, .at = part.at});
+  };
+  for (const DifferingPart& part : found.parts) {
+    const std::vector<bool>& disputed =
+        part.kind == Difference::missed ? isDisputedInOther : isDisputed;
+    const bool leadsToADispute =
+        part.kind != Difference::wronglyAttached &&
+        std::ranges::all_of(part.nodes, [&](NodeId id) { return disputed[indexOf(id)]; });
+    if (!leadsToADispute) add(part);
+  }
+  for (const Dispute& each : ofOther) {
+    restrictTo(agreement, each);
+    add(*each.part);
+  }
+  for (const DifferingPart& part : turnedParts(first, other, found)) {
+    for (const NodeId id : part.nodes)
+      agreement.isThere[indexOf(id)] = false;
+    add(part);
+  }
+  std::ranges::stable_sort(places, std::greater(), &Disagreement::length);
+  return places;
 }
 
 Skeleton agreedWood(const Skeleton& first, const Agreement& agreement) {
@@ -109,17 +209,13 @@ Consensus consensusOf(std::span<const Skeleton> plants, double tolerance,
                       std::vector<bool>(first.idEnd(), true)};
   Consensus consensus;
   for (std::size_t i = 1; i < plants.size(); ++i) {
-    const Differences found = differences(first, plants[i], tolerance, next());
-    restrictTo(agreement, found);
-    std::vector<DifferingPart> parts = found.parts;
-    for (DifferingPart& part : turnedParts(first, plants[i], found)) {
-      for (const NodeId id : part.nodes)
-        agreement.isThere[indexOf(id)] = false;
-      parts.push_back(std::move(part));
+    const Progress both = next();
+    const Differences found = differences(first, plants[i], tolerance, both.part(0, 0.5));
+    const Differences back = differences(plants[i], first, tolerance, both.part(0.5, 1));
+    for (Disagreement& place : compared(first, plants[i], found, back, agreement)) {
+      place.with = i;
+      consensus.places.push_back(place);
     }
-    std::ranges::stable_sort(parts, std::greater(), &DifferingPart::length);
-    for (DifferingPart& part : parts)
-      consensus.places.push_back({.with = i, .part = std::move(part)});
   }
   consensus.agreed = agreedWood(first, agreement);
   for (const Skeleton& plant : plants)

@@ -10,8 +10,10 @@ namespace espalier {
 
 /// A place where a skeleton differs from the first one.
 struct Disagreement {
-  std::size_t with = 1; // its number among the skeletons
-  DifferingPart part;   // the first is the result, this one the reference; ids are theirs
+  std::size_t with = 1;                         // its number among the skeletons
+  Difference kind = Difference::missed;         // the first being the result, it the reference
+  double length = 0;                            // [L], as of a DifferingPart
+  Eigen::Vector3d at = Eigen::Vector3d::Zero(); // where it begins [L]
 };
 
 /// What several skeletons of one plant agree on.
@@ -27,13 +29,14 @@ struct Consensus {
 /// Finds on what wood several skeletons of one plant agree, as differences() sees them: that of the
 /// first which all others have, within the tolerance, on the same path from the root. Wood that
 /// another one has from its other end up, as where the roots are opposite, is wrongly attached.
-/// Which one is first decides where it lies, and nothing else but for what lies at the edge of the
-/// tolerance.
+/// Attachments are seen from both sides: wood that two attach elsewhere is one place, together with
+/// what leads there in either. So which one is first decides where wood lies, and nothing else but
+/// for wood that runs beside other wood within the tolerance.
 ///
 /// @param plants    at least 2, in one frame: nothing is registered
 /// @param tolerance [L], > 0
 /// @throws as differences()
-/// Deterministic. Time that of differences(), once for each but the first and once more for each.
+/// Deterministic. Time that of differences(), twice for each but the first and once more for each.
 [[nodiscard]] Consensus consensusOf(std::span<const Skeleton> plants, double tolerance,
                                     const Progress& progress = {});
 

@@ -37,8 +37,8 @@ TEST(Consensus, LeavesOutWhatOneOfThemLacks) {
     EXPECT_EQ(test::canonical(found.agreed), test::canonical(bare));
     ASSERT_EQ(found.places.size(), isFirst ? 1U : 2U);
     EXPECT_EQ(found.places[0].with, isFirst ? 2U : 1U);
-    EXPECT_EQ(found.places[0].part.kind, isFirst ? Difference::invented : Difference::missed);
-    EXPECT_NEAR(found.places[0].part.length, 4, 1e-9);
+    EXPECT_EQ(found.places[0].kind, isFirst ? Difference::invented : Difference::missed);
+    EXPECT_NEAR(found.places[0].length, 4, 1e-9);
     EXPECT_NEAR(found.shares[isFirst ? 2 : 0], 1, 1e-9) << "all of the bare one";
     EXPECT_NEAR(found.shares[1], 10.0 / 14, 0.02) << "the trunk";
   }
@@ -67,11 +67,52 @@ TEST(Consensus, MakesWhatIsAttachedElsewhereATreeOfItsOwn) {
   high.reparent(shoot, trunk[9], EdgeType::branching);
   const Consensus found = consensusOfAll({low, high});
   EXPECT_TRUE(std::ranges::any_of(found.places, [](const Disagreement& place) {
-    return place.part.kind == Difference::wronglyAttached;
+    return place.kind == Difference::wronglyAttached;
   }));
   EXPECT_EQ(found.agreed.roots().size(), 2U);
   EXPECT_NEAR(totalLength(found.agreed), 10 + 6, 1e-9)
       << "trunk and shoot, without what leads there";
+}
+
+/// A trunk with three twigs that leave it at one node, along three lines or one behind the other.
+Skeleton trunkWithTwigs(bool isStar, int pieces) {
+  Skeleton plant;
+  const auto line = [&](NodeId from, const Eigen::Vector3d& to, int count, EdgeType edge) {
+    const Eigen::Vector3d start = plant[from].position;
+    for (int i = 1; i <= count; ++i) {
+      from = plant.add({.position = start + (to - start) * i / count,
+                        .radius = 0.02,
+                        .parent = from,
+                        .edge = i == 1 ? edge : EdgeType::successor});
+    }
+    return from;
+  };
+  const NodeId root = plant.add({.radius = 0.02});
+  const NodeId hub = line(root, {0, 0, 5}, 10, EdgeType::successor);
+  line(hub, {0, 0, 9}, 8, EdgeType::successor);
+  NodeId bearer = hub;
+  for (const Eigen::Vector3d& place :
+       {Eigen::Vector3d(1, 0, 5.5), Eigen::Vector3d(2, 0, 6.5), Eigen::Vector3d(3, 0, 8)}) {
+    const NodeId end = line(bearer, place, pieces, EdgeType::branching);
+    line(end, place + Eigen::Vector3d(0.2, 2, 1), 6, EdgeType::branching);
+    if (!isStar) bearer = end;
+  }
+  return plant;
+}
+
+TEST(Consensus, CountsWhatIsAttachedElsewhereOnceWhicheverIsFirst) {
+  const Skeleton chain = trunkWithTwigs(false, 4);
+  for (const int pieces : {1, 4}) { // what leads from twig to twig is of wood, or one long edge
+    const Skeleton star = trunkWithTwigs(true, pieces);
+    for (const bool isChainFirst : {true, false}) {
+      const Consensus found =
+          isChainFirst ? consensusOfAll({chain, star}) : consensusOfAll({star, chain});
+      ASSERT_EQ(found.places.size(), 2U) << "the twigs behind the first, " << pieces;
+      for (const Disagreement& place : found.places)
+        EXPECT_EQ(place.kind, Difference::wronglyAttached);
+      EXPECT_EQ(found.agreed.roots().size(), 3U) << pieces;
+    }
+  }
 }
 
 // The trunk of one stands on its top: each has all of its wood near the other.
@@ -92,8 +133,8 @@ TEST(Consensus, LeavesOutWoodThatOneHasFromItsOtherEndUp) {
   for (const auto& [first, second] : {std::pair(plant, turned), std::pair(turned, plant)}) {
     const Consensus found = consensusOfAll({first, second});
     ASSERT_FALSE(found.places.empty());
-    EXPECT_EQ(found.places[0].part.kind, Difference::wronglyAttached);
-    EXPECT_NEAR(found.places[0].part.length, 10, 1e-9) << "the trunk";
+    EXPECT_EQ(found.places[0].kind, Difference::wronglyAttached);
+    EXPECT_NEAR(found.places[0].length, 10, 1e-9) << "the trunk";
     EXPECT_NEAR(totalLength(found.agreed), 4, 1e-9) << "the branch grows out in both";
     EXPECT_NEAR(found.shares[0], 4.0 / 14, 0.02);
   }

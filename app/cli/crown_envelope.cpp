@@ -2,6 +2,7 @@
 
 #include "app/cli/arguments.h"
 #include "core/pipeline/plant_scale.h"
+#include "core/pipeline/typed_value.h"
 
 #include <cstdio>
 #include <numbers>
@@ -20,9 +21,8 @@ EnvelopedPlant ofSkeleton(const Skeleton& skeleton, UpAxis up) {
 Envelope crownEnvelope(const EnvelopedPlant& plant, const EnvelopeKind& kind,
                        const std::vector<std::string>& settings, UpAxis up, const std::string& unit,
                        const Progress& progress) {
-  const double meters = unit == "mm" ? 0.001 : unit == "cm" ? 0.01 : unit == "m" ? 1.0 : 0.0;
-  return envelopeAbout(plant.places, up, kind, envelopeValues(kind, settings, plant.scale, meters),
-                       progress);
+  return envelopeAbout(plant.places, up, kind,
+                       envelopeValues(kind, settings, plant.scale, metersIn(unit)), progress);
 }
 
 CLI::Option* addEnvelopeKind(CLI::App& command, const std::string& option, std::string& name,

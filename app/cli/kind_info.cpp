@@ -1,6 +1,7 @@
 #include "app/cli/kind_info.h"
 
 #include "core/pipeline/kind_of_scan.h"
+#include "core/pipeline/typed_value.h"
 
 #include <nlohmann/json.hpp>
 
@@ -15,6 +16,11 @@ double rounded(double share) { // to a percent: it is no measurement
   return std::round(100 * share) / 100;
 }
 
+std::string unitIn(const nlohmann::ordered_json& json) {
+  const bool isKnown = json.contains("unit") && json["unit"].is_string();
+  return isKnown ? json["unit"].get<std::string>() : std::string();
+}
+
 } // namespace
 
 UpAxis upIn(const nlohmann::ordered_json& json) {
@@ -23,8 +29,9 @@ UpAxis upIn(const nlohmann::ordered_json& json) {
 }
 
 void addKind(const PointCloud& cloud, const Progress& progress, nlohmann::ordered_json& json) {
-  const std::optional<KindOfScan> kind = kindOfScan(std::make_shared<const PointCloud>(cloud),
-                                                    PipelineOptions{.up = upIn(json)}, progress);
+  const std::optional<KindOfScan> kind =
+      kindOfScan(std::make_shared<const PointCloud>(cloud), PipelineOptions{.up = upIn(json)},
+                 metersIn(unitIn(json)), progress);
   if (!kind) return;
   const NamedPreset& preset = presetFor(kind->likely.kind);
   json["kind"] = {{"likely", preset.label},

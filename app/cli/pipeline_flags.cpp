@@ -61,7 +61,7 @@ void PipelineFlags::addOptionsTo(CLI::App& command) {
 }
 
 double PipelineFlags::meters() const {
-  return unit.empty() ? 0 : metersIn(typedValue("1" + unit).unit);
+  return metersIn(unit);
 }
 
 PipelineOptions PipelineFlags::options(const std::string& stepOfMethod) const {

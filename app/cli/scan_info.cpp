@@ -1,5 +1,7 @@
 #include "app/cli/scan_info.h"
 
+#include "core/pipeline/typed_value.h"
+
 #include <nlohmann/json.hpp>
 
 namespace espalier {
@@ -11,17 +13,13 @@ Json placeJson(const Eigen::Vector3d& place) {
   return Json::array({place.x(), place.y(), place.z()});
 }
 
-double metersInUnit(const std::string& unit) {
-  return unit == "mm" ? 0.001 : unit == "cm" ? 0.01 : 1;
-}
-
 void addBounds(const PointGlance& glance, Json& json) {
   if (glance.bounds.isEmpty()) return;
   json["bounds"] = {{"minimum", placeJson(glance.bounds.min())},
                     {"maximum", placeJson(glance.bounds.max())}};
   json["bounds_of_sample"] = glance.areBoundsOfSample;
   if (!glance.unit.value.empty())
-    json["size_in_meters"] = placeJson(glance.bounds.sizes() * metersInUnit(glance.unit.value));
+    json["size_in_meters"] = placeJson(glance.bounds.sizes() * metersIn(glance.unit.value));
 }
 
 void addGuess(const std::string& key, const GlanceGuess& guess, Json& json) {

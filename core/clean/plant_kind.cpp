@@ -84,6 +84,18 @@ FoliageParts foliageParts(const Eigen::Matrix3Xf& points, double spacing, double
   return result;
 }
 
+/// How often shapes lead astray that leave no doubt: of simulated plants that were not fitted on,
+/// 10 of 161.
+constexpr double misled = 0.06;
+
+/// How likely a plant of this height is of a kind, against one of no height: few herbs and grasses
+/// are taller than reed or sunflowers, and trees begin as seedlings.
+double likelinessAt(PlantKind kind, double meters) {
+  if (kind != PlantKind::herb && kind != PlantKind::grass) return 1;
+  constexpr double half = 4;
+  return 1 / (1 + std::pow(meters / half, 4));
+}
+
 } // namespace
 
 KindFeatures kindFeatures(const Eigen::Matrix3Xf& points, const std::vector<Organ>& organs,
@@ -111,14 +123,21 @@ KindFeatures kindFeatures(const Eigen::Matrix3Xf& points, const std::vector<Orga
   return features;
 }
 
-LikelyKind likelyKind(const KindFeatures& features, const KindOdds& odds) {
+LikelyKind likelyKind(const KindFeatures& features, const KindOdds& odds,
+                      std::optional<double> height) {
   std::array<double, allPlantKinds.size()> probabilities;
   double sum = 0;
   for (std::size_t i = 0; i < probabilities.size(); ++i)
     sum += probabilities[i] = 1 / (1 + std::exp(-odds[i].value(features)));
+  double possible = 0;
+  for (std::size_t i = 0; i < probabilities.size(); ++i) {
+    const double byShape =
+        (1 - misled) * probabilities[i] / sum + misled / static_cast<double>(probabilities.size());
+    possible += probabilities[i] = byShape * (height ? likelinessAt(allPlantKinds[i], *height) : 1);
+  }
   const auto best =
       static_cast<std::size_t>(std::ranges::max_element(probabilities) - probabilities.begin());
-  return {allPlantKinds[best], probabilities[best] / sum};
+  return {allPlantKinds[best], probabilities[best] / possible};
 }
 
 } // namespace espalier

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -48,6 +49,11 @@ struct LikelyKind {
 
   bool operator==(const LikelyKind&) const = default;
 };
-[[nodiscard]] LikelyKind likelyKind(const KindFeatures& features, const KindOdds& odds);
+
+/// Of the odds a share goes to all kinds alike, since shapes lead astray as often where they seem
+/// sure; and herbs and grasses are as good as never as tall as trees.
+/// @param height  of the plant in meters, > 0; none: not known
+[[nodiscard]] LikelyKind likelyKind(const KindFeatures& features, const KindOdds& odds,
+                                    std::optional<double> height = {});
 
 } // namespace espalier

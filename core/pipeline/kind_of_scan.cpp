@@ -25,7 +25,8 @@ std::vector<Eigen::Index> evenlyChosen(const std::vector<Eigen::Index>& points) 
 } // namespace
 
 std::optional<KindOfScan> kindOfScan(const std::shared_ptr<const PointCloud>& cloud,
-                                     const PipelineOptions& options, const Progress& progress) {
+                                     const PipelineOptions& options, double metersInUnit,
+                                     const Progress& progress) {
   const PointSet passed = options.leftOut | repeatedPoints(*cloud, options.leftOut) |
                           PointSet::of(farPoints(*cloud, options.leftOut, progress.part(0, 0.1)));
   const std::vector<Eigen::Index> counted = others(passed, cloud->size());
@@ -39,7 +40,11 @@ std::optional<KindOfScan> kindOfScan(const std::shared_ptr<const PointCloud>& cl
       organsAmong(standing.positions, root, spacing, progress.part(0.1, 0.8)).ofPoint;
   const KindFeatures features =
       kindFeatures(standing.positions, organs, spacing, progress.part(0.8, 1));
-  KindOfScan result{.likely = likelyKind(features, fittedKindOdds())};
+  std::optional<double> height;
+  if (metersInUnit > 0)
+    height = metersInUnit *
+             (standing.positions.row(2).maxCoeff() - standing.positions.row(2).minCoeff());
+  KindOfScan result{.likely = likelyKind(features, fittedKindOdds(), height)};
   std::copy_n(features.begin(), result.shares.size(), result.shares.begin());
   return result;
 }

@@ -23,11 +23,13 @@ struct KindOfScan {
 /// plant, as it lies but for a few far points: ground and neighbors lead it astray. Of a large scan
 /// evenly chosen points are looked at, at most 100 000.
 /// @param options  up, the root, and what was set aside; steps are not run
+/// @param metersInUnit  of the scan: trees are taller than herbs; 0: not known
 /// @return none of fewer than 200 places
 /// @throws Cancelled if `progress` asks to stop
 /// Deterministic for any number of threads.
 [[nodiscard]] std::optional<KindOfScan> kindOfScan(const std::shared_ptr<const PointCloud>& cloud,
                                                    const PipelineOptions& options = {},
+                                                   double metersInUnit = 0,
                                                    const Progress& progress = {});
 
 /// The settings for plants of this kind.

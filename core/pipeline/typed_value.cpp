@@ -85,6 +85,10 @@ double metersIn(ValueUnit unit) {
   return unit == ValueUnit::centimeters ? 1e-2 : 1;
 }
 
+double metersIn(std::string_view symbol) {
+  return symbol == "mm" ? 1e-3 : symbol == "cm" ? 1e-2 : symbol == "m" ? 1 : 0;
+}
+
 std::vector<ValueUnit> unitsBeginning(std::string_view letters) {
   const std::string small = lowerCase(letters);
   std::vector<ValueUnit> units;

@@ -19,8 +19,9 @@ enum class ValueUnit {
   degrees
 };
 
-[[nodiscard]] bool isMetric(ValueUnit unit);   // millimeters, centimeters, meters
-[[nodiscard]] double metersIn(ValueUnit unit); // pre: isMetric(unit)
+[[nodiscard]] bool isMetric(ValueUnit unit);            // millimeters, centimeters, meters
+[[nodiscard]] double metersIn(ValueUnit unit);          // pre: isMetric(unit)
+[[nodiscard]] double metersIn(std::string_view symbol); // of "mm", "cm", "m"; else 0
 
 /// The units of which one of the names begins so: "sp" stands for spacings, "s" for these and
 /// scatters, all for nothing.

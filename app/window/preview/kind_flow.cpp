@@ -41,8 +41,9 @@ KindFlow::KindFlow(const Parts& parts) : parts_(parts), job_(parts.queue, JobPri
   line_ = new KindLine(*take);
   parts_.pipeline.addBelowScan(line_);
   PlantDocument& document = parts_.document;
-  for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged,
-                      &PlantDocument::upChanged, &PlantDocument::skeletonReplaced})
+  for (auto signal :
+       {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged, &PlantDocument::upChanged,
+        &PlantDocument::unitChanged, &PlantDocument::skeletonReplaced})
     connect(&document, signal, this, &KindFlow::guess);
   connect(&document, &PlantDocument::skeletonEdited, this, &KindFlow::refresh);
   connect(&parts_.pipeline, &PipelinePanel::changed, this, &KindFlow::refresh);
@@ -59,10 +60,12 @@ void KindFlow::guess() {
   const PipelineOptions options{.root = parts_.document.root(),
                                 .up = parts_.document.up(),
                                 .leftOut = parts_.document.leftOut()};
+  const LengthUnit unit = parts_.document.unit();
+  const double meters = unit == LengthUnit::unknown ? 0 : metersIn(unit);
   job_.start(
       tr("Looking at the plant"),
-      [cloud = scan->cloud(), options](const Progress& progress) {
-        return kindOfScan(cloud, options, progress);
+      [cloud = scan->cloud(), options, meters](const Progress& progress) {
+        return kindOfScan(cloud, options, meters, progress);
       },
       [this](const std::optional<KindOfScan>& kind) {
         kind_ = kind;

@@ -40,7 +40,22 @@ TEST(PlantKind, IsTheOneOfTheGreatestOdds) {
   const double other = 1 / (1 + std::exp(2.0));
   const LikelyKind found = likelyKind({}, odds);
   EXPECT_EQ(found.kind, PlantKind::herb);
-  EXPECT_NEAR(found.probability, herb / (herb + 4 * other), 1e-12);
+  EXPECT_NEAR(found.probability, 0.94 * herb / (herb + 4 * other) + 0.06 / 5, 1e-12);
+}
+
+TEST(PlantKind, IsNoHerbOfTheHeightOfATreeHoweverSureItsShapeIs) {
+  KindOdds odds = {};
+  for (std::size_t i = 0; i < odds.size(); ++i)
+    odds[i].constant = -20;
+  odds[3].constant = 20;  // a herb
+  odds[2].constant = -19; // before the others a tree in leaf
+  EXPECT_EQ(likelyKind({}, odds).kind, PlantKind::herb);
+  EXPECT_NEAR(likelyKind({}, odds).probability, 0.952, 1e-6);
+  EXPECT_EQ(likelyKind({}, odds, 0.5).kind, PlantKind::herb);
+  EXPECT_NEAR(likelyKind({}, odds, 0.5).probability, 0.952, 1e-3);
+  const LikelyKind tall = likelyKind({}, odds, 23);
+  EXPECT_EQ(tall.kind, PlantKind::leafyTree);
+  EXPECT_LT(tall.probability, 0.35) << "of a tree, but nobody knows of which";
 }
 
 TEST(PlantKind, OfOnePointIsFinite) {

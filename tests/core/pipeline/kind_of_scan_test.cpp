@@ -57,6 +57,14 @@ TEST(KindOfScan, IsTheSameHoweverThePlantStandsAndWhateverItsUnit) {
   EXPECT_NEAR(turned->likely.probability, kind->likely.probability, 0.05);
 }
 
+TEST(KindOfScan, IsATreeIfItIsAsTall) {
+  const double height = herbOfKind()->bounds().sizes().z();
+  EXPECT_EQ(kindOfScan(herbOfKind(), {}, 0.5 / height)->likely.kind, PlantKind::herb);
+  const PlantKind tall = kindOfScan(herbOfKind(), {}, 40 / height)->likely.kind;
+  EXPECT_NE(tall, PlantKind::herb);
+  EXPECT_NE(tall, PlantKind::grass);
+}
+
 TEST(KindOfScan, DoesNotCountWhatIsSetAside) {
   const test::LabeledCloud& scan = test::leafyHerb();
   std::vector<Eigen::Index> blades;
@@ -92,7 +100,7 @@ TEST(KindOfScan, IsNotKnownOfFewPointsOrOfOnePlace) {
 TEST(KindOfScan, IsStopped) {
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_THROW((void)kindOfScan(herbOfKind(), {}, Progress(stop.get_token(), {})), Cancelled);
+  EXPECT_THROW((void)kindOfScan(herbOfKind(), {}, 0, Progress(stop.get_token(), {})), Cancelled);
 }
 
 TEST(KindOfScan, HasSettingsForEachKind) {

@@ -13,15 +13,28 @@ struct UnitPair {
   double ratio; // of the smaller unit in the larger
   const char* smaller;
   const char* larger;
+  double slack; // factor that reconstructions of one plant may differ by beside it
 };
 
-constexpr std::array unitPairs = {UnitPair{10, "mm", "cm"}, UnitPair{100, "cm", "m"},
-                                  UnitPair{1000, "mm", "m"}};
+/// A tenth may well be a branch of the plant, a hundredth hardly.
+constexpr std::array unitPairs = {UnitPair{10, "mm", "cm", 1.2}, UnitPair{100, "cm", "m", 1.5},
+                                  UnitPair{1000, "mm", "m", 1.5}};
 
-/// The units whose ratio this is, up to what two reconstructions of a plant may differ by.
-const UnitPair* unitsOf(double ratio) {
-  for (const UnitPair& pair : unitPairs)
-    if (std::abs(std::log(ratio / pair.ratio)) < std::log(1.5)) return &pair;
+bool isNear(double ratio, double other, double factor) {
+  return std::abs(std::log(ratio / other)) < std::log(factor);
+}
+
+/// The units in which one box is the other, up to what two reconstructions of a plant may differ
+/// by: as a whole, and along each of its sides but for thin ones. A part of a plant is small, too.
+const UnitPair* unitsOf(const Eigen::Vector3d& larger, const Eigen::Vector3d& smaller) {
+  constexpr double thin = 0.05; // of the diagonal
+  for (const UnitPair& pair : unitPairs) {
+    bool fits = isNear(larger.norm() / smaller.norm(), pair.ratio, pair.slack);
+    for (int side = 0; side < 3; ++side)
+      if (larger[side] > thin * larger.norm() || smaller[side] > thin * smaller.norm())
+        fits = fits && isNear(larger[side] / smaller[side], pair.ratio, 1.5);
+    if (fits) return &pair;
+  }
   return nullptr;
 }
 
@@ -63,7 +76,8 @@ std::optional<ShownMessage> warningOfSize(const Traits& result, const Traits& re
   const double quotient = result.extent.norm() / reference.extent.norm();
   const bool isLarger = quotient > 1;
   const double ratio = isLarger ? quotient : 1 / quotient;
-  const UnitPair* units = unitsOf(ratio);
+  const UnitPair* units = unitsOf(isLarger ? result.extent : reference.extent,
+                                  isLarger ? reference.extent : result.extent);
   if (units == nullptr && ratio <= 20) return std::nullopt;
   const std::string times =
       plainDecimal(ratio < 100 ? std::round(10 * ratio) / 10 : std::round(ratio));

@@ -163,9 +163,20 @@ TEST(Comparison, SaysSoWhereUnitsSeemToDiffer) {
   const Comparison other = compare(test::scaled(test::bush(), 30), test::bush());
   EXPECT_THAT(eachInEnglish(other.warnings),
               testing::Contains(HasSubstr("check that both are in the same unit")));
-  const Comparison near = compare(test::scaled(test::bush(), 4), test::bush());
-  for (const std::string& warning : eachInEnglish(near.warnings))
-    EXPECT_THAT(warning, testing::Not(HasSubstr("times as")));
+  for (const double factor : {4.0, 8.0}) { // as a branch may be beside its tree
+    const Comparison near = compare(test::scaled(test::bush(), factor), test::bush());
+    for (const std::string& warning : eachInEnglish(near.warnings))
+      EXPECT_THAT(warning, testing::Not(HasSubstr("times as"))) << factor;
+  }
+}
+
+TEST(Comparison, TakesASmallPartForNoPlantInAnotherUnit) {
+  Skeleton stick; // a tenth as long as the bush, and straight
+  const Eigen::Vector3d sides = traits(test::bush()).extent;
+  const NodeId foot = stick.add({.radius = 0.01});
+  stick.add({.position = {0, 0, sides.norm() / 10}, .radius = 0.01, .parent = foot});
+  for (const std::string& warning : eachInEnglish(compare(stick, test::bush()).warnings))
+    EXPECT_THAT(warning, testing::Not(HasSubstr("seems to be in")));
 }
 
 TEST(Comparison, SaysSoWhereTheTwoDoNotMeetOrAreSeveral) {

@@ -15870,12 +15870,8 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>Ignorés</translation>
     </message>
     <message>
-        <source>The checks ended: 1 finding</source>
-        <translation>Les contrôles sont terminés&#xa0;: 1 constat</translation>
-    </message>
-    <message>
-        <source>The checks ended: %1 findings</source>
-        <translation>Les contrôles sont terminés&#xa0;: %1 constats</translation>
+        <source>The checks ended: %1</source>
+        <translation>Les contrôles sont terminés&#xa0;: %1</translation>
     </message>
     <message>
         <source>Choose a finding or a doubt to ignore it</source>

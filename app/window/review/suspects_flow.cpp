@@ -379,10 +379,7 @@ void SuspectsFlow::answer() {
     return;
   }
   if (by != 0) step(by);
-  const std::size_t findings = parts_.findings.findings().size();
-  const QString ended = findings == 1
-                            ? tr("The checks ended: 1 finding")
-                            : tr("The checks ended: %1 findings").arg(formatCount(findings));
+  const QString ended = tr("The checks ended: %1").arg(titleText());
   const bool isAtFinding = by != 0 && current_ && std::holds_alternative<Finding>(*current_);
   emit noted(isAtFinding ? ended + QStringLiteral(" · ") + sentenceOf(*current_) : ended);
 }

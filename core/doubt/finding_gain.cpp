@@ -102,7 +102,7 @@ std::vector<FindingGain> gainsOf(const std::vector<Finding>& findings, const Ske
     const std::vector<NodeId> wood = woodOf(finding, skeleton);
     FindingGain one{.length = lengthOf(skeleton, wood),
                     .wrong = chanceOfError(finding, areCrowded)};
-    double ends = static_cast<double>(
+    auto ends = static_cast<double>(
         std::ranges::count_if(wood, [&](NodeId id) { return skeleton.children(id).empty(); }));
     if (finding.kind == Kind::shortFoot) one.length = finding.amount;
     if (finding.kind == Kind::unexplainedPoints) {

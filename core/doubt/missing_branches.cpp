@@ -82,6 +82,7 @@ void keepProbableEnds(EndsOfSkeleton& ends, const BranchesByNode& branchOf, std:
     }
     if (worst.empty()) return;
     std::vector<std::size_t> gone;
+    gone.reserve(worst.size());
     for (const auto& [foot, place] : worst)
       gone.push_back(place);
     std::ranges::sort(gone);

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ranges>
 #include <string_view>
 
 namespace espalier {
@@ -50,9 +49,10 @@ std::string mostlyBy(std::span<const HistoryStep> steps) {
   std::size_t most = 0;
   for (const auto& [author, count] : counts)
     most = std::max(most, count);
-  for (const HistoryStep& step : std::views::reverse(steps))
-    if (counts[step.author] == most) return step.author;
-  return {};
+  const auto last = std::find_if(steps.rbegin(), steps.rend(), [&](const HistoryStep& step) {
+    return counts[step.author] == most;
+  });
+  return last == steps.rend() ? std::string() : last->author;
 }
 
 } // namespace

@@ -228,10 +228,10 @@ SimulatedScan scan(const Skeleton& plant, const ScannerOptions& options, std::ui
   Organs organs = organsOf(plant, options.foliage, extent, seed + 3);
   pieces.insert(pieces.end(), organs.shortShoots.begin(), organs.shortShoots.end());
   pieces.insert(pieces.end(), organs.petioles.begin(), organs.petioles.end());
-  const WoodIndex wood(std::move(pieces));
+  const WoodIndex wood(pieces);
   result.blades = organs.blades;
   result.petioles = organs.petioles;
-  const PieceTree<Blade> blades(std::move(organs.blades));
+  const PieceTree<Blade> blades(organs.blades);
   const ScanScene scene{.wood = wood,
                         .blades = blades,
                         .options = options,

@@ -88,6 +88,7 @@ std::vector<Piece> piecesAlong(const Skeleton& skeleton, const std::vector<Point
     piece.points.push_back(i);
   }
   std::vector<Piece> all;
+  all.reserve(pieces.size());
   for (auto& [place, piece] : pieces)
     all.push_back(std::move(piece));
   return all;

@@ -45,7 +45,7 @@ QString unexplainedText(const SealedState& state) {
     const double percent = 100 * static_cast<double>(points) / static_cast<double>(state.points);
     return numberText(percent, percent < 0.1 && points > 0 ? 3 : 1);
   };
-  const QString text =
+  QString text =
       SealText::tr("%1 of %2 (%3 %)")
           .arg(formatCount(state.unexplained), formatCount(state.points), share(state.unexplained));
   if (state.ignoredPlaces == 0) return text;

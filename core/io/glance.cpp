@@ -55,10 +55,10 @@ bool areOfAMap(const Eigen::AlignedBox3d& bounds) {
 }
 
 GlanceGuess guessedUnit(const Eigen::AlignedBox3d& bounds) {
-  const double extent = bounds.isEmpty() ? 0 : bounds.sizes().maxCoeff();
+  const std::string unit = unitOfBounds(bounds);
   if (!bounds.isEmpty() && areOfAMap(bounds))
-    return {"m", {Shown::tr("coordinates so far from 0 are those of a map")}, false};
-  const std::string unit = unitOfExtent(extent);
+    return {unit, {Shown::tr("coordinates so far from 0 are those of a map")}, false};
+  const double extent = bounds.isEmpty() ? 0 : bounds.sizes().maxCoeff();
   const std::string size = roundedText(extent);
   if (unit.empty() && extent > 1)
     return {"",
@@ -87,9 +87,12 @@ void requirePoints(const Format& format, const std::string& name) {
 
 } // namespace
 
-std::string unitOfExtent(double extent) {
+std::string unitOfBounds(const Eigen::AlignedBox3d& bounds) {
   constexpr double highest = 100; // of trees [m]
   constexpr double usual = 40;    // higher ones are few: it may be a seedling in mm
+  if (bounds.isEmpty()) return {};
+  if (areOfAMap(bounds)) return "m";
+  const double extent = bounds.sizes().maxCoeff();
   if (extent > highest) return "mm";
   return extent > 0.05 && extent <= usual ? "m" : "";
 }

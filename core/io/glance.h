@@ -19,9 +19,10 @@ namespace espalier {
 [[nodiscard]] PointGlance glanceAt(const std::filesystem::path& path,
                                    const std::vector<PointField>& columns = {});
 
-/// The unit that makes a plant of this extent [L] between a hand and a tall tree high: "m", "mm";
-/// empty: the extent does not show it.
-[[nodiscard]] std::string unitOfExtent(double extent);
+/// The unit of what lies in some bounds [L]: "m" where they are of a map, far from 0, 0 for their
+/// size; else the one that makes a plant between a hand and a tall tree high, "m" or "mm"; empty:
+/// they do not show it.
+[[nodiscard]] std::string unitOfBounds(const Eigen::AlignedBox3d& bounds);
 
 /// How a text file of points begins; none of a file that says itself what its columns hold.
 /// @throws Error as glanceAt; also if it has fewer than 3 columns

@@ -41,11 +41,6 @@ bool isProjectName(const QString& path) {
   return path.endsWith(".espalier", Qt::CaseInsensitive);
 }
 
-/// Longest side of the box around all nodes [L].
-double extentOf(const Skeleton& skeleton) {
-  return skeleton.isEmpty() ? 0 : bounds(skeleton).sizes().maxCoeff();
-}
-
 QString proposedPath(const PlantDocument& document, const QString& folder) {
   const QFileInfo file(document.filePath());
   if (isProjectName(document.filePath()))
@@ -312,7 +307,7 @@ void FileFlow::show(Read read, bool isAnotherPlant) {
   else if (loaded.structure)
     parts_.projects.leave();
   if (loaded.scan) {
-    document.setUnit(read.unit.value_or(likelyUnit(loaded.scan->bounds().sizes().maxCoeff())));
+    document.setUnit(read.unit.value_or(loaded.unit));
     document.setScan(std::move(loaded.scan), loaded.scanPath);
     if (read.up) document.setUp(*read.up);
     parts_.projects.setScanReference(loaded.scanReference);
@@ -322,7 +317,7 @@ void FileFlow::show(Read read, bool isAnotherPlant) {
   }
   if (loaded.structure) {
     if (document.scan() == nullptr)
-      document.setUnit(likelyUnit(extentOf(loaded.structure->skeleton)));
+      document.setUnit(likelyUnit(bounds(loaded.structure->skeleton)));
     document.openStructure(std::move(*loaded.structure), loaded.structurePath);
     parts_.recent.add(loaded.structurePath);
     copied_.clear();

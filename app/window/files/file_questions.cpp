@@ -77,8 +77,6 @@ FileFlow::Read FileFlow::readOrAsk(Opening opening, const NamedColumns& known,
     }
     opening.request.columns = look->columns;
     isByMemory = !look->columns.empty() && look->columns != look->text->columns;
-    if (!read.unit && look->glance.unit.isStated)
-      read.unit = unitOfSymbol(QString::fromStdString(look->glance.unit.value));
   }
   try {
     read.files = loadFiles(opening.paths, opening.request, progress);

@@ -23,26 +23,33 @@ void addNotes(LoadedFiles& loaded, const std::vector<ShownMessage>& notes) {
     loaded.notes.append(shownText(note));
 }
 
-/// A file that says nothing before it is read whole is read whole.
-bool hasMorePoints(const std::filesystem::path& path, const ScanRequest& request) {
+/// What a file says before it is read; none of a file that says nothing until it is read whole.
+std::optional<PointGlance> quickGlance(const std::filesystem::path& path,
+                                       const ScanRequest& request) {
   const Format& format = formatOf(path);
   const bool isKnown = format.glance != nullptr || format.glanceByColumns != nullptr;
-  if (!isKnown) return false;
-  const PointGlance glance = glanceAt(path, request.columns);
+  if (!isKnown) return std::nullopt;
+  return glanceAt(path, request.columns);
+}
+
+bool hasMorePoints(const PointGlance& glance, std::uint64_t most) {
   const std::uint64_t error = glance.arePointsEstimated ? glance.points / 10 : 0; // at most
-  return glance.points + error > request.mostAtOnce;
+  return glance.points + error > most;
 }
 
 void loadScan(LoadedFiles& loaded, const std::filesystem::path& path, const ScanRequest& request,
               const Progress& progress) {
   ReadOptions reading{.box = request.box, .columns = request.columns};
-  if (hasMorePoints(path, request)) reading.most = request.mostAtOnce;
+  const std::optional<PointGlance> glance = quickGlance(path, request);
+  if (glance && hasMorePoints(*glance, request.mostAtOnce)) reading.most = request.mostAtOnce;
   ImportedCloud points = readPoints(path, reading, progress.part(0, 0.9));
   progress.update(0.9);
   if (points.isPart(reading))
     loaded.part = {reading, points.listed};
   else
     loaded.part.reading.columns = reading.columns;
+  loaded.unit = glance ? unitOfSymbol(QString::fromStdString(glance->unit.value))
+                       : likelyUnit(points.value.bounds());
   loaded.scanReference = ScanReference::of(path, points.value.bounds(), progress);
   loaded.scan = std::make_unique<const Scan>(std::move(points.value), progress);
   addNotes(loaded, points.notes);
@@ -88,8 +95,8 @@ LoadedFiles loadFiles(const QStringList& paths, const ScanRequest& request,
   return loaded;
 }
 
-LengthUnit likelyUnit(double extent) {
-  return unitOfSymbol(QString::fromStdString(unitOfExtent(extent)));
+LengthUnit likelyUnit(const Eigen::AlignedBox3d& bounds) {
+  return unitOfSymbol(QString::fromStdString(unitOfBounds(bounds)));
 }
 
 std::filesystem::path toPath(const QString& path) {

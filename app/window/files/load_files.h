@@ -23,6 +23,7 @@ namespace espalier {
 struct LoadedFiles {
   std::unique_ptr<const Scan> scan; // null: none
   QString scanPath;
+  LengthUnit unit = LengthUnit::unknown; // of the scan, as its file says, else as its bounds show
   ScanPart part;                              // of the file that the scan is
   std::optional<ScanReference> scanReference; // to find it again
   std::optional<Structure> structure;
@@ -48,8 +49,8 @@ void keepMostAtOnce(QSettings& settings, std::uint64_t most); // for scans from 
 [[nodiscard]] LoadedFiles loadFiles(const QStringList& paths, const ScanRequest& request = {},
                                     const Progress& progress = {});
 
-/// As unitOfExtent() of core/io/glance.h.
-[[nodiscard]] LengthUnit likelyUnit(double extent);
+/// As unitOfBounds() of core/io/glance.h.
+[[nodiscard]] LengthUnit likelyUnit(const Eigen::AlignedBox3d& bounds);
 
 /// The path of a QString, for core.
 [[nodiscard]] std::filesystem::path toPath(const QString& path);

@@ -43,11 +43,27 @@ TEST(LoadFiles, StopsWhenAsked) {
   EXPECT_THROW((void)loadFiles({writeScan(folder / "a.xyz")}, {}, progress), Cancelled);
 }
 
+TEST(LoadFiles, TakesTheUnitThatTheFileStatesOrThatOfItsCoordinates) {
+  const std::filesystem::path folder = test::freshFolder();
+  std::ofstream(folder / "map.xyz") << "500001 4000002 100\n501000 4001000 130\n";
+  const auto unitOf = [&](const char* name) {
+    return loadFiles({QString::fromStdString((folder / name).string())}).unit;
+  };
+  EXPECT_EQ(unitOf("map.xyz"), LengthUnit::meter) << "1 km of a forest, no plant in mm";
+  std::ofstream(folder / "tall.xyz") << "0 0 0\n0 2 46.2\n";
+  EXPECT_EQ(unitOf("tall.xyz"), LengthUnit::unknown) << "a tree, or a seedling in mm";
+  std::ofstream(folder / "tall.ptx") << "1\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n"
+                                        "0 0 1 0\n0 0 0 1\n1 2 46.2 0.5\n";
+  EXPECT_EQ(unitOf("tall.ptx"), LengthUnit::meter) << "as its format says";
+}
+
 TEST(LikelyUnit, MakesNoTreeAHundredMetersHigh) {
-  EXPECT_EQ(likelyUnit(3820), LengthUnit::millimeter);
-  EXPECT_EQ(likelyUnit(3.82), LengthUnit::meter);
-  EXPECT_EQ(likelyUnit(0.01), LengthUnit::unknown);
-  EXPECT_EQ(likelyUnit(46.2), LengthUnit::unknown) << "a tree, or a seedling in mm";
+  const auto unitOf = [](double height) {
+    return likelyUnit({Eigen::Vector3d::Zero(), Eigen::Vector3d(0, 0, height)});
+  };
+  EXPECT_EQ(unitOf(3820), LengthUnit::millimeter);
+  EXPECT_EQ(unitOf(3.82), LengthUnit::meter);
+  EXPECT_EQ(unitOf(0.01), LengthUnit::unknown);
 }
 
 } // namespace

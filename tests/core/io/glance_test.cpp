@@ -98,10 +98,14 @@ TEST(GlanceAt, GuessesUnitAndAxisWithAReason) {
 }
 
 TEST(GlanceAt, GuessesNoUnitWhereASizeIsRareInEach) {
-  EXPECT_EQ(unitOfExtent(3000), "mm");
-  EXPECT_EQ(unitOfExtent(38), "m");
-  EXPECT_EQ(unitOfExtent(0.3), "m");
-  EXPECT_EQ(unitOfExtent(0.01), "");
+  const auto unitOf = [](double height) {
+    return unitOfBounds({Eigen::Vector3d::Zero(), Eigen::Vector3d(0, height / 2, height)});
+  };
+  EXPECT_EQ(unitOf(3000), "mm");
+  EXPECT_EQ(unitOf(38), "m");
+  EXPECT_EQ(unitOf(0.3), "m");
+  EXPECT_EQ(unitOf(0.01), "");
+  EXPECT_EQ(unitOfBounds({}), "");
   const PointGlance glance = glanceAt(glanceFile("herb.xyz", "0 0 0\n3 4 46.2\n"));
   EXPECT_EQ(glance.unit.value, "");
   EXPECT_EQ(inEnglish(glance.unit.reason),

@@ -3,11 +3,11 @@
 #include "app/cli/arguments.h"
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
+#include "app/cli/plant_file.h"
 #include "app/cli/terminal.h"
 #include "core/base/counted.h"
 #include "core/evaluate/match/comparable.h"
 #include "core/evaluate/match/tolerance_curve.h"
-#include "core/project/project.h"
 #include "core/skeleton/bounds.h"
 
 #include <nlohmann/json.hpp>
@@ -29,21 +29,6 @@ struct ConsensusFlags {
   double distance = 0; // [L]; 0: by the rule
   MtgStyle mtgStyle = MtgStyle::plantNode;
 };
-
-/// The plant of an expert: that of a project, or a structure.
-Skeleton plantIn(const std::string& file) {
-  Imported<Skeleton> plant;
-  if (isProject(file)) {
-    Imported<History> history = Project::open(file, Access::readOnly).history();
-    plant = {std::move(history.value.skeleton), std::move(history.notes)};
-  } else {
-    Imported<Structure> structure = readStructure(file);
-    plant = {std::move(structure.value.skeleton), std::move(structure.notes)};
-  }
-  printNotes(plant.notes);
-  requireComparable(plant.value, file);
-  return std::move(plant.value);
-}
 
 nlohmann::ordered_json numbersOf(const ConsensusFlags& flags, const Consensus& consensus,
                                  double tolerance) {
@@ -104,8 +89,10 @@ void writeConsensus(const ConsensusFlags& flags) {
   requireDifferentFiles(flags.plants);
   const TerminalProgress terminal;
   std::vector<Skeleton> plants;
-  for (const std::string& file : flags.plants)
-    plants.push_back(plantIn(file));
+  for (const std::string& file : flags.plants) {
+    plants.push_back(plantIn(file).skeleton);
+    requireComparable(plants.back(), file);
+  }
   requireOneUnit(flags.plants, plants);
   double tolerance = flags.distance;
   if (tolerance == 0)

@@ -3,15 +3,13 @@
 #include "app/cli/crown_envelope.h"
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
+#include "app/cli/plant_file.h"
 #include "app/cli/terminal.h"
 #include "app/report/envelope_numbers.h"
 #include "core/base/text.h"
-#include "core/cloud/file_order.h"
 #include "core/io/structures/surface_files.h"
 #include "core/pipeline/envelopes.h"
 #include "core/pipeline/plant_scale.h"
-#include "core/project/point_bytes.h"
-#include "core/project/project.h"
 
 #include <nlohmann/json.hpp>
 
@@ -37,31 +35,21 @@ struct EnvelopeFlags {
   int threads = 0;
 };
 
-/// The scan that a project holds, or that lies where it says.
-std::optional<PointCloud> scanOfProject(const Project& project, const Progress& progress) {
-  if (project.hasBytes(keptCloudName)) return cloudFrom(project.bytes(keptCloudName));
-  const auto found = project.findScan(progress);
-  if (!found) return std::nullopt;
-  auto points = readPoints(found->string(), progress);
-  printNotes(points.notes);
-  return project.scan()->isByFile ? sortedAsInFile(points.value) : std::move(points.value);
-}
-
-EnvelopedPlant plantInProject(const EnvelopeFlags& flags, const Progress& progress) {
+EnvelopedPlant envelopedInProject(const EnvelopeFlags& flags, const Progress& progress) {
   const Project project = Project::open(flags.plant, Access::readOnly);
   const Imported<History> history = project.history();
   printNotes(history.notes);
   if (flags.of != EnvelopeOf::skeleton)
-    if (const std::optional<PointCloud> scan = scanOfProject(project, progress))
-      return ofPoints(*scan, history.value.leftOut, flags.up, progress);
+    if (const auto points = pointsOf(project, history.value.leftOut, progress))
+      return ofPoints(*points, {}, flags.up, progress);
   if (flags.of == EnvelopeOf::points)
-    throw Error(flags.plant + ": its scan is not found: put the file beside it, or take --of "
-                              "skeleton");
+    throw Error(flags.plant + ": the points of its scan cannot be read: put the file beside it, or "
+                              "take --of skeleton");
   return ofSkeleton(history.value.skeleton, flags.up);
 }
 
-EnvelopedPlant plantIn(const EnvelopeFlags& flags, const Progress& progress) {
-  if (isProject(flags.plant)) return plantInProject(flags, progress);
+EnvelopedPlant envelopedIn(const EnvelopeFlags& flags, const Progress& progress) {
+  if (isProject(flags.plant)) return envelopedInProject(flags, progress);
   if (formatOf(flags.plant).content == Content::points) {
     if (flags.of == EnvelopeOf::skeleton)
       throw WrongUsage(flags.plant + " holds points: leave out --of skeleton");
@@ -71,9 +59,7 @@ EnvelopedPlant plantIn(const EnvelopeFlags& flags, const Progress& progress) {
   }
   if (flags.of == EnvelopeOf::points)
     throw WrongUsage(flags.plant + " holds a structure: leave out --of points");
-  const auto structure = readStructure(flags.plant);
-  printNotes(structure.notes);
-  return ofSkeleton(structure.value.skeleton, flags.up);
+  return ofSkeleton(plantIn(flags.plant).skeleton, flags.up);
 }
 
 std::string meshExtension(const std::string& path) {
@@ -105,7 +91,7 @@ void drawEnvelope(const EnvelopeFlags& flags) {
   const Threads threads(flags.threads);
   const TerminalProgress terminal;
   const Progress& whole = terminal.progress();
-  const EnvelopedPlant plant = plantIn(flags, whole.part(0, 0.3, "Reading"));
+  const EnvelopedPlant plant = envelopedIn(flags, whole.part(0, 0.3, "Reading"));
   const Envelope envelope = about(flags.plant, [&] {
     return crownEnvelope(plant, kind, flags.settings, flags.up, flags.unit,
                          whole.part(0.3, 1, "Envelope"));
@@ -175,7 +161,10 @@ void addEnvelope(CLI::App& app) {
   addUnit(*command, flags->unit, "Unit of the plant, to be named with the numbers");
   command->add_option("--json", flags->json, "File for all numbers");
   addThreads(*command, flags->threads);
-  command->callback([flags] { drawEnvelope(*flags); });
+  command->callback([flags] {
+    flags->unit = unitOfPlant(flags->plant, flags->unit);
+    drawEnvelope(*flags);
+  });
   command->footer(listOfKinds() +
                   "\nExamples:\n"
                   "  espalier envelope pine.ply --kind alpha --set radius=0.3 -o crown.ply\n"

@@ -3,6 +3,7 @@
 #include "app/cli/evaluate_command.h"
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
+#include "app/cli/plant_file.h"
 #include "app/cli/terminal.h"
 #include "core/evaluate/match/edit_comparison.h"
 #include "core/evaluate/study/ranking.h"
@@ -146,7 +147,10 @@ void addEvaluate(CLI::App& app) {
   for (const char* option : {"--csv", "--json", "--report"})
     command->get_option(option)->check(isNamed);
   addThreads(*command, flags->threads);
-  command->callback([flags] { evaluate(*flags); });
+  command->callback([flags] {
+    flags->unit = unitOfPlant(flags->files.back(), flags->unit);
+    evaluate(*flags);
+  });
   command->footer("Lengths are in the unit of the structures.\nOne plant without a reference: "
                   "espalier traits.\n\n"
                   "Examples:\n"

@@ -1,6 +1,7 @@
 #include "app/cli/evaluate_command.h"
 
 #include "app/cli/files.h"
+#include "app/cli/plant_file.h"
 #include "core/base/coordinates.h"
 #include "core/evaluate/match/comparable.h"
 #include "core/io/csv.h"
@@ -10,9 +11,7 @@
 namespace espalier {
 
 Skeleton skeletonIn(const std::string& file, double scale) {
-  Imported<Structure> structure = readStructure(file);
-  printNotes(structure.notes);
-  Skeleton skeleton = std::move(structure.value.skeleton);
+  Skeleton skeleton = plantIn(file).skeleton;
   requireComparable(skeleton, file);
   if (scale != 1)
     for (const NodeId id : skeleton.ids()) {

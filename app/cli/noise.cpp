@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
+#include "app/cli/plant_file.h"
 #include "app/cli/terminal.h"
 #include "core/base/text.h"
 #include "core/evaluate/comparison_warnings.h"
@@ -128,14 +129,12 @@ void noise(const NoiseFlags& flags) {
   for (const std::string& kind : flags.kinds)
     options.series.push_back(seriesOf(kind));
   const TerminalProgress terminal;
-  const Imported<Structure> structure = readStructure(flags.reference);
-  printNotes(structure.notes);
-  requireComparable(structure.value.skeleton, flags.reference);
-  const auto ofTrees = warningOfTrees(traits(structure.value.skeleton), ComparedAs::reference);
+  const Skeleton reference = plantIn(flags.reference).skeleton;
+  requireComparable(reference, flags.reference);
+  const auto ofTrees = warningOfTrees(traits(reference), ComparedAs::reference);
   if (ofTrees) printNotes({inEnglish(*ofTrees)});
-  const NoiseStudy study = about(flags.reference, [&] {
-    return noiseStudy(structure.value.skeleton, options, terminal.progress());
-  });
+  const NoiseStudy study =
+      about(flags.reference, [&] { return noiseStudy(reference, options, terminal.progress()); });
   terminal.clear();
   print(study, columnsOf(flags.scores), flags.unit);
   writeFiles(flags, study);

@@ -4,13 +4,11 @@
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
 #include "app/cli/headless.h"
+#include "app/cli/plant_file.h"
 #include "app/cli/terminal.h"
 #include "core/base/text.h"
-#include "core/cloud/file_order.h"
 #include "core/cloud/point_set.h"
 #include "core/io/atomic_file.h"
-#include "core/project/point_bytes.h"
-#include "core/project/project.h"
 #include "ui/view/animated_png.h"
 #include "ui/view/turntable.h"
 
@@ -49,28 +47,6 @@ void requireColor(const PointCloud& cloud, PointColor color) {
     throw WrongUsage("the points of the scan have no " +
                      std::string(color == PointColor::rgb ? "colors" : "intensities") +
                      ": choose another --color");
-}
-
-/// The points of a project that count; null: there are none, or they are not found.
-std::shared_ptr<const PointCloud> pointsOf(const Project& project, const PointSet& leftOut,
-                                           const Progress& progress) {
-  const auto asPlant = [&](const PointCloud& cloud) {
-    return std::make_shared<const PointCloud>(without(cloud, leftOut));
-  };
-  if (const std::string kept = project.bytes(keptCloudName); !kept.empty())
-    return asPlant(cloudFrom(kept));
-  const std::optional<ScanReference> reference = project.scan();
-  if (!reference) return nullptr;
-  const auto file = project.findScan(progress);
-  if (!file || !project.document("scan_part").empty()) {
-    printNotes({project.path().string() +
-                (file ? ": a part of its scan was opened" : ": its scan is not found") +
-                ": its points are not drawn"});
-    return nullptr;
-  }
-  const auto points = readPoints(*file, progress);
-  printNotes(points.notes);
-  return asPlant(reference->isByFile ? sortedAsInFile(points.value, progress) : points.value);
 }
 
 /// @param hasPoints  whether they are drawn: else no scan is read
@@ -235,6 +211,7 @@ void addPicture(CLI::App& app) {
       ->check(wholeNumber(TurntableOptions::leastSeconds, TurntableOptions::mostSeconds));
   addUnit(*command, flags->unit, "Unit of lengths, for the scale bar");
   command->callback([flags] {
+    flags->unit = unitOfPlant(flags->files.front(), flags->unit);
     if (flags->turntable > 0)
       drawTurntable(*flags);
     else

@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
+#include "app/cli/plant_file.h"
 #include "app/cli/target_pairs.h"
 #include "app/cli/terminal.h"
 #include "core/align/cloud_fit.h"
@@ -197,11 +198,7 @@ void registerScans(const RegisterFlags& flags) {
       flags.pairs.empty() ? std::vector<std::vector<TargetPair>>(flags.moved.size())
                           : readTargetPairs(flags.pairs, flags.moved);
   std::optional<Structure> structure;
-  if (!flags.structure.empty()) {
-    auto read = readStructure(flags.structure[0]);
-    printNotes(read.notes);
-    structure = std::move(read.value);
-  }
+  if (!flags.structure.empty()) structure = plantIn(flags.structure[0]);
   const TerminalProgress terminal;
   const double share = 0.9 / static_cast<double>(flags.moved.size());
   const auto open = [](const std::string& file, const Progress& progress) {

@@ -3,6 +3,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
+#include "app/cli/plant_file.h"
 #include "app/cli/terminal.h"
 #include "core/io/csv.h"
 #include "core/simulate/foliage.h"
@@ -151,9 +152,8 @@ void simulate(const SimulateFlags& flags) {
   if (flags.from.empty()) {
     truth = growPlant(flags.growth, flags.seed, terminal.progress().part(0, 0.3, "Grow"));
   } else {
-    const auto structure = readStructure(flags.from);
-    printNotes(structure.notes);
-    truth = about(flags.from, [&] { return preparedPlant(structure.value.skeleton); });
+    const Structure structure = plantIn(flags.from);
+    truth = about(flags.from, [&] { return preparedPlant(structure.skeleton); });
   }
   ScannerOptions scanner = flags.scanner;
   if (flags.noise >= 0) scanner.rangeNoise = flags.noise;

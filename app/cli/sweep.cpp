@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
+#include "app/cli/plant_file.h"
 #include "app/cli/statistics.h"
 #include "app/cli/terminal.h"
 #include "core/base/text.h"
@@ -207,10 +208,9 @@ std::vector<std::string> notesIn(const std::string& option, const std::vector<Js
 std::optional<Reference> referenceIn(const SweepFlags& flags) {
   const std::string& file = flags.reference;
   if (file.empty()) return std::nullopt;
-  Imported<Structure> structure = readStructure(file);
-  printNotes(structure.notes);
-  requireComparable(structure.value.skeleton, file);
-  return Reference{.skeleton = std::move(structure.value.skeleton),
+  Skeleton skeleton = plantIn(file).skeleton;
+  requireComparable(skeleton, file);
+  return Reference{.skeleton = std::move(skeleton),
                    .registration = {.turns = !flags.noRotate, .up = flags.pipeline.up}};
 }
 

@@ -6,6 +6,7 @@
 #include "app/cli/files.h"
 #include "app/cli/headless.h"
 #include "app/cli/pipeline_flags.h"
+#include "app/cli/plant_file.h"
 #include "app/cli/terminal.h"
 #include "app/report/plant_report.h"
 #include "app/report/write_report.h"
@@ -13,6 +14,7 @@
 #include "core/evaluate/trait_rows.h"
 #include "core/evaluate/traits/breast_height.h"
 #include "core/evaluate/traits_json.h"
+#include "core/pipeline/typed_value.h"
 
 #include <QDate>
 #include <nlohmann/json.hpp>
@@ -129,8 +131,7 @@ WoodDensity densityOf(const TraitsFlags& flags) {
   if (flags.unit.empty())
     throw WrongUsage("--density is in kg per cubic meter: say what unit the structure is in by "
                      "--unit");
-  const double meters = flags.unit == "mm" ? 0.001 : flags.unit == "cm" ? 0.01 : 1.0;
-  return {.perCubicMeter = flags.density, .meters = meters};
+  return {.perCubicMeter = flags.density, .meters = metersIn(flags.unit)};
 }
 
 PlantReportAbout aboutOf(const TraitsFlags& flags) {
@@ -216,7 +217,10 @@ void addTraits(CLI::App& app) {
   addNumberFiles(*command, flags->csv, flags->json);
   addReport(*command, flags->report);
   addThreads(*command, flags->threads);
-  command->callback([flags] { measure(*flags); });
+  command->callback([flags] {
+    flags->unit = unitOfPlant(flags->file, flags->unit);
+    measure(*flags);
+  });
   command->footer("Lengths are in the unit of the structure. Beside a reference: espalier "
                   "evaluate.\n\n"
                   "Examples:\n"

@@ -98,6 +98,9 @@ const Format& formatOfContent(std::string_view beginning, const std::filesystem:
   const Format* format = formatOfName(path, [](const Format&) { return true; });
   if (!format || !knowsUtf16(*format)) requireNoUtf16(beginning, path.string());
   if (format) return *format;
+  if (beginning.starts_with("SQLite format 3")) // as projects are
+    refuse(path, Shown::tr("is a project: give the scan or the structure in it, which espalier "
+                           "convert writes, or open it in the window"));
   refuse(path, Shown::tr("is of no known kind; can be read: %1"),
          {listOf([](const Format& each) { return each.canRead(); })});
 }
@@ -128,13 +131,18 @@ std::string textOf(const Eigen::Vector3d& place) {
 
 [[noreturn]] void refuseBox(const Eigen::AlignedBox3d& box, const std::filesystem::path& path,
                             std::uint64_t listed) {
-  const Eigen::AlignedBox3d bounds = glanceAt(path).bounds;
+  const PointGlance glance = glanceAt(path);
+  const Eigen::AlignedBox3d& bounds = glance.bounds;
   const std::string count = std::to_string(listed);
   if (bounds.isEmpty())
     refuse(path, Shown::tr("none of its %1 points lies in the box from %2 to %3: choose another"),
            {count, textOf(box.min()), textOf(box.max())});
   refuse(path,
-         Shown::tr("none of its %1 points lies in the box from %2 to %3: they lie from %4 to %5"),
+         glance.areBoundsOfSample
+             ? Shown::tr("none of its %1 points lies in the box from %2 to %3: a sample of them "
+                         "lies from %4 to %5")
+             : Shown::tr(
+                   "none of its %1 points lies in the box from %2 to %3: they lie from %4 to %5"),
          {count, textOf(box.min()), textOf(box.max()), textOf(bounds.min()), textOf(bounds.max())});
 }
 
@@ -222,7 +230,8 @@ const Format& formatToWrite(const std::filesystem::path& path, Content content) 
 }
 
 Imported<PointCloud> readPoints(const std::filesystem::path& path, const Progress& progress) {
-  return readPoints(path, ReadOptions(), progress);
+  ImportedCloud all = readPoints(path, ReadOptions(), progress);
+  return {std::move(all.value), std::move(all.notes)};
 }
 
 void requireColumnsFit(const std::filesystem::path& path, const Format& format,

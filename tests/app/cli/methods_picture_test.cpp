@@ -147,7 +147,7 @@ TEST_F(Subcommands, PictureOfAProjectWithoutItsScanShowsTheWood) {
   std::filesystem::remove(scan);
   const auto outcome = runProgram({"picture", file("oak.espalier"), "-o", file("a.png")});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.err, HasSubstr("its scan is not found: its points are not drawn"));
+  EXPECT_THAT(outcome.err, HasSubstr("its scan is not found: its points are not read"));
   run({"picture", truth_, "-o", file("b.png")});
   EXPECT_EQ(test::bytesOf(file("a.png")), test::bytesOf(file("b.png")));
 }

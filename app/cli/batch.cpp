@@ -6,9 +6,12 @@
 #include "app/cli/doubt_numbers.h"
 #include "app/cli/files.h"
 #include "app/cli/pipeline_flags.h"
+#include "app/cli/plant_file.h"
 #include "app/cli/terminal.h"
 #include "core/base/text.h"
 #include "core/evaluate/comparison.h"
+#include "core/evaluate/plant_measures.h"
+#include "core/evaluate/traits/breast_height.h"
 #include "core/io/atomic_file.h"
 #include "core/pipeline/preset.h"
 #include "core/project/content_hash.h"
@@ -43,6 +46,7 @@ struct Batch {
   std::vector<std::string> names;
   fs::path folder;
   PipelineOptions options;
+  std::string unit; // of all scans; empty: not known
   ReadOptions reading;
   std::string readingText; // the same as it was typed; empty: all of each scan
   MtgStyle mtgStyle = MtgStyle::plantNode;
@@ -75,6 +79,7 @@ std::string inputsOf(const Batch& batch, const BatchPlant& plant) {
   writePreset(text, batch.options);
   if (!plant.reference.empty() && !batch.registration.turns) text << "no-rotate\n";
   text << batch.readingText;
+  if (!batch.unit.empty()) text << "unit " << batch.unit << '\n';
   char digits[20];
   std::snprintf(digits, sizeof digits, "%016llx",
                 static_cast<unsigned long long>(contentHash(text.str())));
@@ -90,7 +95,8 @@ bool isDoneAlready(const Batch& batch, const BatchPlant& plant, const BatchSumma
          fs::is_regular_file(batch.doubts(plant), isMissing);
 }
 
-void describe(const PointCloud& cloud, const Reconstruction& result, BatchResult& row) {
+void describe(const Batch& batch, const PointCloud& cloud, const Reconstruction& result,
+              BatchResult& row) {
   const Skeleton& skeleton = *result.skeleton;
   std::size_t tips = 0;
   double rootRadius = 0;
@@ -108,6 +114,13 @@ void describe(const PointCloud& cloud, const Reconstruction& result, BatchResult
   row.length = shortNumber(total);
   row.height = shortNumber(result.scale.height);
   row.rootRadius = shortNumber(rootRadius);
+  row.unit = batch.unit;
+  if (!(total > 0)) return;
+  const PlantMeasures measures =
+      plantMeasures(skeleton, {.up = batch.options.up, .breastHeight = breastHeightIn(batch.unit)});
+  row.volume = shortNumber(measures.wood.whole.volume);
+  if (measures.stemDiameter) row.stemDiameter = shortNumber(*measures.stemDiameter);
+  row.crownArea = shortNumber(measures.traits.crown.area);
 }
 
 /// What makes the scores doubtful. A shift alone does not: scans and references seldom have one
@@ -123,7 +136,7 @@ std::vector<std::string> doubtsIn(const Comparison& comparison) {
 void judge(const Skeleton& skeleton, const fs::path& reference,
            const RegistrationOptions& registration, double spacing, const Progress& progress,
            BatchResult& row) {
-  const Skeleton truth = readStructure(reference).value.skeleton;
+  const Skeleton truth = plantIn(reference.string()).skeleton;
   const Comparison comparison = about(reference.string(), [&] {
     return compare(skeleton, truth,
                    {.registration = registration,
@@ -149,7 +162,7 @@ void reconstruct(const Batch& batch, const BatchPlant& plant, const Progress& pr
   const bool isJudged = !plant.reference.empty();
   const Reconstruction result = about(
       plant.scan.string(), [&] { return Pipeline().run(cloud, options, progress.part(0.2, 0.8)); });
-  describe(*cloud, result, row);
+  describe(batch, *cloud, result, row);
   row.notes = eachInEnglish(scan.notes);
   for (const std::string& note : notesOf(result))
     row.notes.push_back(note);
@@ -237,6 +250,7 @@ void requireOtherOutput(const Batch& batch, const BatchFlags& flags) {
 Batch batchOf(const BatchFlags& flags) {
   Batch batch;
   batch.options = flags.pipeline.options("skeleton");
+  batch.unit = flags.pipeline.unit;
   batch.mtgStyle = flags.pipeline.mtgStyle;
   const ReadFlags& read = flags.pipeline.read;
   batch.reading = read.options();

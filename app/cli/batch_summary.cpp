@@ -46,6 +46,10 @@ const std::vector<Column>& columns() {
                                 columnOf("length", &BatchResult::length),
                                 columnOf("height", &BatchResult::height),
                                 columnOf("root_radius", &BatchResult::rootRadius),
+                                columnOf("unit", &BatchResult::unit),
+                                columnOf("volume", &BatchResult::volume),
+                                columnOf("stem_diameter", &BatchResult::stemDiameter),
+                                columnOf("crown_area", &BatchResult::crownArea),
                                 columnOf("expected_right", &BatchResult::expectedRight),
                                 columnOf("doubts", &BatchResult::doubts)};
     addScores(made, false);

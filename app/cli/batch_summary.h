@@ -13,6 +13,10 @@ struct BatchResult {
   bool isDone = false; // false: it failed
   std::string inputs;  // hash of the scan, the reference and all that was asked for
   std::string points, spacing, nodes, tips, length, height, rootRadius; // lengths in [L]
+  std::string unit;                  // of these; empty: not known
+  std::string volume;                // of the wood [L^3]
+  std::string stemDiameter;          // at breast height [L]; empty: none
+  std::string crownArea;             // seen from above [L^2]
   std::string expectedRight, doubts; // as doubtNumbers() has them
   std::map<std::string, std::string> scores =
       {};               // by key: scoresIn(inBrief), if there is a reference

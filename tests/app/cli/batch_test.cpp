@@ -5,6 +5,7 @@
 #include "tests/support/shared_data.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <csignal>
 #include <cstdlib>
@@ -90,6 +91,29 @@ TEST_F(Batch, ReconstructsEachPlantAndReportsItInALine) {
   EXPECT_EQ(cell("stick", "geometric"), "") << "there is no reference";
   EXPECT_GT(std::stod(cell("my tree", "geometric")), 0.8);
   EXPECT_GT(std::stod(cell("my tree", "f")), 0.8);
+}
+
+TEST_F(Batch, ListsWhatTraitsMeasures) {
+  writeManifest("scan,name\ntree.ply,tree\n");
+  ASSERT_EQ(run({"--unit", "m"}).status, 0);
+  const std::string mtg = (results_ / "tree.mtg").string();
+  const std::string json = (folder_ / "traits.json").string();
+  ASSERT_EQ(runProgram({"traits", mtg, "--unit", "m", "--json", json}).status, 0);
+  const auto traits = nlohmann::json::parse(test::bytesOf(json));
+  const auto expectSame = [&](const char* column, const nlohmann::json& value) {
+    const std::string written = cell("tree", column);
+    if (value.is_null())
+      EXPECT_EQ(written, "") << column;
+    else
+      EXPECT_NEAR(std::stod(written), value.get<double>(), 1e-4 * value.get<double>()) << column;
+  };
+  EXPECT_EQ(cell("tree", "unit"), "m");
+  expectSame("volume", traits["wood"]["whole"]["volume"]);
+  expectSame("crown_area", traits["traits"]["crown"]["area"]);
+  expectSame("stem_diameter", traits["breast_height"]["diameter"]);
+  ASSERT_EQ(run().status, 0) << "done again, as its unit is not known now";
+  EXPECT_EQ(cell("tree", "unit"), "");
+  EXPECT_EQ(cell("tree", "stem_diameter"), "");
 }
 
 TEST_F(Batch, NotesWhatIsOddAboutAScan) {

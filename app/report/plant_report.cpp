@@ -272,6 +272,9 @@ ReportSection envelope(const Parts& parts) {
                           : ReportText::tr("%1 about %2.");
   ReportSection section{ReportText::tr("Crown envelope"),
                         {ReportParagraph{how.arg(shownText(drawn.label), about)}}};
+  if (drawn.isUsual)
+    section.blocks.emplace_back(
+        ReportParagraph{ReportText::tr("It is about the whole plant, the stem included.")});
   ReportTable table;
   table.columns = {{ReportText::tr("number"), false}, {ReportText::tr("envelope")}};
   const auto add = [&](const QString& name, const QString& value) {

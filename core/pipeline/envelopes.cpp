@@ -1,6 +1,8 @@
 #include "core/pipeline/envelopes.h"
 
 #include "core/base/error.h"
+#include "core/base/shown_message.h"
+#include "core/base/text.h"
 #include "core/evaluate/match/comparable.h"
 #include "core/graph/turn_upright.h"
 #include "core/pipeline/pipeline_options.h"
@@ -20,18 +22,36 @@
 namespace espalier {
 namespace {
 
-/// The first option of each kind, whose value the crown is made by.
-Option withinOption() {
-  Option option = ratioOption(
+/// The first options of each kind, by whose values the crown is made.
+std::vector<Option> crownOptions() {
+  Option within = ratioOption(
       "within", Shown::tr("Share within"), 0.8, 1,
       Shown::tr("Share of the points that the crown is made of: the outermost are left out."));
-  option.rule = fixedAt(1);
-  return option;
+  within.rule = fixedAt(1);
+  Option from = lengthOption("from", Shown::tr("From height"), 0, 1'000'000,
+                             Shown::tr("Points lower than this above the foot are left out, as "
+                                       "those of a bare stem. 0: it is about the whole plant."));
+  from.rule = fixedAt(0);
+  return {within, from};
+}
+
+/// What is this high above the lowest.
+Eigen::Matrix3Xd placesFrom(double height, const Eigen::Matrix3Xd& places) {
+  const double level = places.row(2).minCoeff() + height;
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < places.cols(); ++i)
+    if (places(2, i) >= level) kept.push_back(i);
+  constexpr std::size_t fewest = 4; // that fill space
+  if (kept.size() < fewest)
+    throw ShownError({espalier::Shown::tr("hardly a point lies higher than \"from\", %1 above the "
+                                          "foot: choose a lower height"),
+                      {plainDecimal(height)}});
+  return places(Eigen::all, kept);
 }
 
 /// A kind without options of its own.
 EnvelopeKind kindOf(Method form, Envelope (*fit)(const Crown&, const Progress&)) {
-  form.options = {withinOption()};
+  form.options = crownOptions();
   form.seesRoot = false;
   return {.form = std::move(form),
           .fit = [fit](const Crown& crown, const std::vector<double>&, const Progress& progress) {
@@ -42,13 +62,14 @@ EnvelopeKind kindOf(Method form, Envelope (*fit)(const Crown&, const Progress&))
 template <class Options>
 EnvelopeKind kindOf(Method form, const OptionTable<Options>& table,
                     Envelope (*fit)(const Crown&, const Options&, const Progress&)) {
-  form.options = {withinOption()};
+  form.options = crownOptions();
+  const auto own = static_cast<std::ptrdiff_t>(form.options.size()); // from there on
   form.options.insert(form.options.end(), table.descriptions().begin(), table.descriptions().end());
   form.seesRoot = false;
   return {.form = std::move(form),
-          .fit = [table, fit](const Crown& crown, const std::vector<double>& values,
-                              const Progress& progress) {
-            return fit(crown, table.with({values.begin() + 1, values.end()}), progress);
+          .fit = [table, fit, own](const Crown& crown, const std::vector<double>& values,
+                                   const Progress& progress) {
+            return fit(crown, table.with({values.begin() + own, values.end()}), progress);
           }};
 }
 
@@ -235,8 +256,12 @@ Envelope envelopeAbout(const Eigen::Matrix3Xd& points, UpAxis up, const Envelope
   // Far origins cost digits; without points crownOf() says what is missing.
   const Eigen::Vector3d middle =
       points.cols() > 0 ? Eigen::Vector3d(points.rowwise().mean()) : Eigen::Vector3d::Zero();
-  const Crown crown =
-      crownOf(turn * (points.colwise() - middle), values.front(), progress.part(0, 0.3));
+  const Eigen::Matrix3Xd standing = turn * (points.colwise() - middle);
+  const double from = values[1];
+  const bool isWhole = !(from > 0) || standing.cols() == 0;
+  const Progress fitting = progress.part(0, 0.3);
+  const Crown crown = isWhole ? crownOf(standing, values.front(), fitting)
+                              : crownOf(placesFrom(from, standing), values.front(), fitting);
   Envelope envelope = kind.fit(crown, values, progress.part(0.3, 1));
   moveEnvelope(envelope, turn.transpose(), middle);
   return envelope;

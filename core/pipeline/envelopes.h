@@ -35,8 +35,9 @@ struct EnvelopeKind {
   [[nodiscard]] bool hasHandles() const { return !handles.empty(); }
 };
 
-/// All of them: solids, then hulls of more and more freedom. Of each the first option is which
-/// share of the points lies within (see crownOf).
+/// All of them: solids, then hulls of more and more freedom. Of each the first options are which
+/// share of the points lies within (see crownOf), and from which height above the lowest on they
+/// count [L].
 [[nodiscard]] const std::vector<EnvelopeKind>& envelopeKinds();
 
 /// @throws Error that lists the names there are

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <gmock/gmock.h>
 #include <numbers>
 
 namespace espalier {
@@ -295,6 +296,31 @@ TEST(EnvelopesOfKnownSolids, StraysAreLeftOutByTheShareWithin) {
   }
 }
 
+// A ball on a stick: the crown of a tree with a bare stem.
+TEST(EnvelopesOfKnownSolids, AreOfWhatIsAboveAHeightIfThatIsAsked) {
+  Eigen::Matrix3Xd ball = pointsIn(inBall, {1.5, 1.5, 1.5}, 20'000);
+  ball.row(2).array() += 6 - ball.row(2).minCoeff();
+  Eigen::Matrix3Xd tree(3, ball.cols() + 60);
+  tree.leftCols(ball.cols()) = ball;
+  for (Eigen::Index i = 0; i < 60; ++i)
+    tree.col(ball.cols() + i) = Eigen::Vector3d(0, 0, 0.1 * static_cast<double>(i));
+  constexpr PlantScale scale{.spacing = 0.05, .height = 9};
+  for (const EnvelopeKind& kind : envelopeKinds()) {
+    SCOPED_TRACE(kind.form.name);
+    const auto volume = [&](const Eigen::Matrix3Xd& points, const char* from) {
+      return envelopeAbout(points, UpAxis::z, kind, envelopeValues(kind, {from}, scale, 0)).volume;
+    };
+    const double ofBall = volume(ball, "from=0");
+    EXPECT_NEAR(volume(tree, "from=5.95"), ofBall, 1e-6 * ofBall);
+    if (kind.form.name != "alpha") {
+      EXPECT_GT(volume(tree, "from=0"), 1.2 * ofBall);
+    }
+    EXPECT_THAT(
+        [&] { (void)volume(tree, "from=100"); },
+        testing::ThrowsMessage<Error>(testing::HasSubstr("higher than \"from\", 100 above")));
+  }
+}
+
 TEST(EnvelopesOfKnownSolids, PointsThatFillNoSpaceAreRefusedInOneLine) {
   Eigen::Matrix3Xd plane = pointsIn(inBox, sides, 50);
   plane.row(2).setConstant(3);
@@ -369,9 +395,9 @@ TEST(EnvelopesOfKnownSolids, OptionsThatAreNoneAreNamed) {
     return std::string();
   };
   EXPECT_EQ(message("alpha", "radios=3"),
-            "envelope alpha has no option \"radios\": choose one of within, radius, fill");
+            "envelope alpha has no option \"radios\": choose one of within, from, radius, fill");
   EXPECT_EQ(message("ball", "within"),
-            "\"within\" sets nothing: write OPTION=VALUE, with one of within");
+            "\"within\" sets nothing: write OPTION=VALUE, with one of within, from");
   EXPECT_EQ(message("skinned", "profiles=2"),
             "envelope.profiles is 2: choose a whole number from 3 to 72");
   EXPECT_THROW((void)envelopeKindNamed("egg"), Error);

@@ -22,6 +22,7 @@
 #include "app/window/files/file_flow.h"
 #include "app/window/files/picture_flow.h"
 #include "app/window/files/plot_flow.h"
+#include "app/window/files/points_export_flow.h"
 #include "app/window/files/project_flow.h"
 #include "app/window/files/recent_files.h"
 #include "app/window/files/sample_flow.h"
@@ -226,6 +227,7 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
       HiddenPoints::Parts{document_, parts_.get<ShownFlow>(), distances, states});
   parts_.make<PresetFlow>(PresetFlow::Parts{pipeline, *actions_, settings_, *this, document_});
   parts_.make<KindFlow>(KindFlow::Parts{document_, queue_, pipeline, *actions_});
+  parts_.make<PointsExportFlow>(PointsExportFlow::Parts{document_, jobs_, *actions_, *this});
   parts_.make<PictureFlow>(PictureFlow::Parts{document_, *view_, *actions_, *this});
   parts_.make<TurntableFlow>(TurntableFlow::Parts{document_, *view_, jobs_, *actions_, *this});
   parts_.make<HullFlow>(HullFlow::Parts{document_, queue_, *view_, *actions_, editing, distances});

@@ -90,6 +90,13 @@ QStringList writableFilters(bool hasScales) {
   return filters;
 }
 
+QStringList writablePointFilters() {
+  QStringList filters;
+  for (const Format& format : formats())
+    if (format.writePoints != nullptr) filters.append(filterOf(format));
+  return filters;
+}
+
 QString filterOf(MtgStyle style) {
   return style == MtgStyle::plantAxisNode
              ? FileFlow::tr("MTG of plant, axes and nodes (*.mtg)")

@@ -30,6 +30,9 @@ inline const QString folderKey = QStringLiteral("last_folder");
 /// style, each a kind of its own.
 [[nodiscard]] QStringList writableFilters(bool hasScales);
 
+/// All that points can be written as.
+[[nodiscard]] QStringList writablePointFilters();
+
 /// That of an MTG of a structure without scales of its own.
 [[nodiscard]] QString filterOf(MtgStyle style);
 

@@ -1,5 +1,7 @@
 // Points of the scan are selected, set aside, kept and grown into a branch, in the real window.
+#include "core/io/formats.h"
 #include "tests/app/window/project_fixture.h"
+#include "ui/panels/message_banner.h"
 #include "ui/panels/status_line.h"
 
 #include <QMouseEvent>
@@ -248,6 +250,16 @@ TEST_F(PointsTest, AProjectKeepsWhatIsSetAsideAsItHappens) {
   action("undo").trigger();
   EXPECT_TRUE(document().leftOut().isEmpty());
   EXPECT_EQ(onDisk(file), document().history());
+}
+
+TEST_F(PointsTest, AreExportedButForThoseThatAreSetAside) {
+  document().pointSelection().set(branch());
+  key(Qt::Key_Delete);
+  const Eigen::Index kept = cloud().size() - static_cast<Eigen::Index>(branch().size());
+  answer(chooseFile(path("kept.ply")), [this] { action("export_points").trigger(); });
+  waitForJob();
+  EXPECT_EQ(readPoints(path("kept.ply").toStdString()).value.size(), kept);
+  EXPECT_TRUE(window().banner().text().contains("kept.ply"));
 }
 
 TEST_F(PointsTest, AReadOnlyPlantLetsPointsBeSelectedAndNothingElse) {

@@ -25,11 +25,6 @@ QLabel* quietLabel(const char* name, QWidget* parent) {
   return label;
 }
 
-/// So many that steps of the last are a thousandth of a plant of this extent.
-int decimalsFor(double extent) {
-  return extent > 0 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(extent))), 0, 6) : 3;
-}
-
 } // namespace
 
 PartForm::PartForm(const PointGlance& glance, std::uint64_t mostAtOnce, QWidget* parent)
@@ -37,7 +32,7 @@ PartForm::PartForm(const PointGlance& glance, std::uint64_t mostAtOnce, QWidget*
       allText_(quietLabel("all_text", this)), some_(new QRadioButton(tr("At most"), this)),
       most_(new CountBox(this)), someText_(quietLabel("some_text", this)),
       isBoxed_(new QCheckBox(tr("Only what lies in a box"), this)),
-      boxText_(quietLabel("box_text", this)), sides_(new QWidget(this)), ends_() {
+      boxText_(quietLabel("box_text", this)), sides_(new QWidget(this)), ends_(), filled_() {
   all_->setObjectName("read_all");
   some_->setObjectName("read_some");
   some_->setToolTip(tr("Points from all over the scan, drawn by a lot that always falls alike"));
@@ -96,7 +91,7 @@ void PartForm::makeBox() {
 void PartForm::fillBox() {
   const Eigen::AlignedBox3d& bounds = glance_.bounds;
   if (bounds.isEmpty()) return;
-  const int decimals = decimalsFor(bounds.sizes().maxCoeff());
+  const int decimals = decimalsIn(bounds);
   const double step = std::pow(10.0, -decimals);
   for (int axis = 0; axis < 3; ++axis)
     for (int end = 0; end < 2; ++end) {
@@ -106,6 +101,7 @@ void PartForm::fillBox() {
       field->setSingleStep(100 * step);
       field->setValue(end == 0 ? std::floor(bounds.min()[axis] / step) * step
                                : std::ceil(bounds.max()[axis] / step) * step);
+      filled_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(end)] = field->value();
     }
 }
 
@@ -116,12 +112,24 @@ void PartForm::setGlance(const PointGlance& glance) {
   refresh();
 }
 
+bool PartForm::hasMoreBeyond() const {
+  return glance_.areBoundsOfSample && !glance_.bounds.isEmpty();
+}
+
+/// A side that is left as it was filled in holds all beyond it, too, where points may reach farther
+/// than those that were looked at.
 Eigen::AlignedBox3d PartForm::box() const {
+  constexpr double beyond = 100; // extents of the sample
+  const double reach = hasMoreBeyond() ? beyond * glance_.bounds.sizes().maxCoeff() : 0;
   Eigen::AlignedBox3d box;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto& ends = ends_[static_cast<std::size_t>(axis)];
-    box.min()[axis] = ends[0]->value();
-    box.max()[axis] = ends[1]->value();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto valueOf = [&](std::size_t end) {
+      const double value = ends_[axis][end]->value();
+      if (value != filled_[axis][end]) return value;
+      return end == 0 ? value - reach : value + reach;
+    };
+    box.min()[static_cast<Eigen::Index>(axis)] = valueOf(0);
+    box.max()[static_cast<Eigen::Index>(axis)] = valueOf(1);
   }
   return box;
 }
@@ -136,10 +144,13 @@ void PartForm::show(const ReadOptions& options) {
   (options.most > 0 ? some_ : all_)->setChecked(true);
   isBoxed_->setChecked(options.box.has_value());
   if (!options.box) return;
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3; ++axis) { // sides beyond what is filled in stay so
     const auto& ends = ends_[static_cast<std::size_t>(axis)];
-    ends[0]->setValue(options.box->min()[axis]);
-    ends[1]->setValue(options.box->max()[axis]);
+    const auto& filled = filled_[static_cast<std::size_t>(axis)];
+    const double from = options.box->min()[axis];
+    const double to = options.box->max()[axis];
+    ends[0]->setValue(hasMoreBeyond() ? std::max(from, filled[0]) : from);
+    ends[1]->setValue(hasMoreBeyond() ? std::min(to, filled[1]) : to);
   }
 }
 
@@ -154,13 +165,16 @@ QString PartForm::problem() const {
 
 void PartForm::refresh() {
   sides_->setVisible(isBoxed_->isChecked());
-  const std::uint64_t there = isBoxed_->isChecked() ? pointsIn(box(), glance_) : glance_.points;
+  const std::optional<std::uint64_t> inBox =
+      isBoxed_->isChecked() ? pointsIn(box(), glance_) : glance_.points;
+  const std::uint64_t there = inBox.value_or(glance_.points); // at most
   const auto most = static_cast<std::uint64_t>(most_->value());
   allText_->setText(tr("about %1 of memory").arg(memoryText(there)));
   someText_->setText(
       tr("from all over it, about %1 of memory").arg(memoryText(std::min(most, there))));
   boxText_->setText(!isBoxed_->isChecked() ? QString()
-                                           : tr("%1 points").arg(pointsText(there, true)));
+                    : inBox                ? tr("%1 points").arg(pointsText(there, true))
+                                           : tr("their number is known once they are read"));
   emit changed();
 }
 

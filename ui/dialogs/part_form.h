@@ -38,6 +38,7 @@ private:
   void makeBox();
   void fillBox();
   void refresh();
+  [[nodiscard]] bool hasMoreBeyond() const; // the bounds, as they are of a sample
   [[nodiscard]] Eigen::AlignedBox3d box() const;
 
   PointGlance glance_;
@@ -50,6 +51,7 @@ private:
   QLabel* boxText_;
   QWidget* sides_;
   std::array<std::array<QDoubleSpinBox*, 2>, 3> ends_; // by axis
+  std::array<std::array<double, 2>, 3> filled_;        // likewise, as the bounds filled them in
 };
 
 } // namespace espalier

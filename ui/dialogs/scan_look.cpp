@@ -1,11 +1,13 @@
 #include "ui/dialogs/scan_look.h"
 
+#include "core/base/text.h"
 #include "core/io/points/point_field.h"
 #include "ui/document/shown_message.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 
 namespace espalier {
 namespace {
@@ -56,10 +58,6 @@ bool hasColumn(const PointGlance& glance, bool (*isIt)(const QString&)) {
   });
 }
 
-QString number(double value) {
-  return formatLength(value, LengthUnit::unknown);
-}
-
 QString sides(const Eigen::Vector3d& lengths, LengthUnit unit) {
   const auto side = [&](int axis) {
     return formatLength(lengths[axis], axis == 2 ? unit : LengthUnit::unknown, 3);
@@ -98,7 +96,8 @@ QStringList questionsOf(const ScanLook& look, std::uint64_t mostAtOnce) {
         ScanLookText::tr(
             "It has %1 points, more than are read without asking: choose below how many.")
             .arg(pointsText(look.glance.points, look.glance.arePointsEstimated)));
-  if (!look.unit && look.glance.unit.value.empty() && !look.glance.bounds.isEmpty())
+  const GlanceGuess& unit = look.glance.unit; // one that is stated and has no name here stays none
+  if (!look.unit && unit.value.empty() && !unit.isStated && !look.glance.bounds.isEmpty())
     questions.append(ScanLookText::tr("Its unit is not known: choose it below."));
   return questions;
 }
@@ -138,6 +137,10 @@ QString columnsText(const PointGlance& glance) {
 QString boundsText(const PointGlance& glance) {
   if (glance.bounds.isEmpty()) return ScanLookText::tr("not known");
   QStringList axes;
+  const double scale = std::pow(10.0, decimalsIn(glance.bounds));
+  const auto number = [scale](double value) {
+    return QString::fromStdString(plainDecimal(std::round(value * scale) / scale + 0.0)); // no -0
+  };
   for (int axis = 0; axis < 3; ++axis)
     axes.append(ScanLookText::tr("%1 from %2 to %3")
                     .arg(QChar("xyz"[axis]))
@@ -149,7 +152,7 @@ QString boundsText(const PointGlance& glance) {
 QString sizeText(const PointGlance& glance, LengthUnit unit) {
   if (glance.bounds.isEmpty()) return ScanLookText::tr("not known");
   const Eigen::Vector3d lengths = glance.bounds.sizes();
-  const QString text = sides(lengths, unit);
+  QString text = sides(lengths, unit);
   if (unit == LengthUnit::unknown || unit == LengthUnit::meter) return text;
   return ScanLookText::tr("%1, which is %2")
       .arg(text, sides(lengths * metersIn(unit), LengthUnit::meter));
@@ -166,12 +169,17 @@ QString memoryText(std::uint64_t points) {
   return formatBytes(points * bytesPerPoint);
 }
 
-std::uint64_t pointsIn(const Eigen::AlignedBox3d& box, const PointGlance& glance) {
-  if (glance.sample.empty()) return 0;
+std::optional<std::uint64_t> pointsIn(const Eigen::AlignedBox3d& box, const PointGlance& glance) {
+  if (glance.sample.empty()) return std::nullopt;
   const auto inside = std::ranges::count_if(
       glance.sample, [&](const Eigen::Vector3d& place) { return box.contains(place); });
   const double share = static_cast<double>(inside) / static_cast<double>(glance.sample.size());
-  return static_cast<std::uint64_t>(share * static_cast<double>(glance.points) + 0.5);
+  return static_cast<std::uint64_t>(std::llround(share * static_cast<double>(glance.points)));
+}
+
+int decimalsIn(const Eigen::AlignedBox3d& bounds) {
+  const double extent = bounds.isEmpty() ? 0 : bounds.sizes().maxCoeff();
+  return extent > 0 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(extent))), 0, 6) : 3;
 }
 
 } // namespace espalier

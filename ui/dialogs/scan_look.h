@@ -67,7 +67,11 @@ struct ScanLook {
 /// The memory that so many points take once they are shown, about: "450 MB".
 [[nodiscard]] QString memoryText(std::uint64_t points);
 
-/// How many points of the file lie in the box, by those that were looked at.
-[[nodiscard]] std::uint64_t pointsIn(const Eigen::AlignedBox3d& box, const PointGlance& glance);
+/// How many points of the file lie in the box, by those that were looked at; none were: not known.
+[[nodiscard]] std::optional<std::uint64_t> pointsIn(const Eigen::AlignedBox3d& box,
+                                                    const PointGlance& glance);
+
+/// So many that steps of the last are a thousandth of a plant in these bounds.
+[[nodiscard]] int decimalsIn(const Eigen::AlignedBox3d& bounds);
 
 } // namespace espalier

@@ -18,7 +18,10 @@ GlanceGuess unitOfCode(std::uint16_t code) {
     return {"m", {Shown::tr("its map projection is in meters")}, true};
   case 9002:
   case 9003:
-    return {"", {Shown::tr("its map projection is in feet, which have no name here")}, true};
+    return {"",
+            {Shown::tr("its map projection is in feet, which have no name here: lengths are shown "
+                       "without a unit")},
+            true};
   default:
     return {};
   }

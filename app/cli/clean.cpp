@@ -82,8 +82,8 @@ void clean(const CleanFlags& flags) {
 } // namespace
 
 void addClean(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("clean", "Leave out what is no plant: ground, poles, wires, strays");
+  CLI::App* command = app.add_subcommand(
+      "clean", "Leave out ground, poles, wires and strays, with --preset plot all but one plant");
   const auto flags = std::make_shared<CleanFlags>();
   flags->pipeline.addTo(
       *command, "Points to write that are kept: PLY (.ply) or text (.xyz, .asc, .txt, .csv, .pts)");
@@ -91,7 +91,8 @@ void addClean(CLI::App& app) {
       ->type_name("FILE");
   command->callback([flags] { clean(*flags); });
   command->footer("Examples:\n"
-                  "  espalier clean plot.las -o plants.ply --preset plot --left-out rest.ply\n"
+                  "  espalier clean plot.las -o tree.ply --preset plot --left-out rest.ply\n"
+                  "  espalier clean plot.las -o plants.ply --preset plot --set plant.method=none\n"
                   "  espalier clean pine.las -o pine.ply --set ground.method=cloth\n"
                   "  espalier clean pine.las -o thin.ply --set thin.method=spacing \\\n"
                   "    --set thin.spacing=5mm --unit m\n"

@@ -35,6 +35,10 @@ void plants(PlantsFlags flags) {
   if (flags.pipeline.preset.empty()) flags.pipeline.preset = "plot";
   const Threads threads(flags.pipeline.threads);
   const PipelineOptions options = flags.pipeline.options("plant");
+  if (options.methods.contains("plant") && options.methods.at("plant") == "none")
+    throw WrongUsage(
+        "plant.method=none leaves a plot whole, and plants cuts it: leave that out, or "
+        "take espalier clean");
   const ReadOptions reading = flags.pipeline.read.options();
   const std::vector<Eigen::Vector3d> bases = basesIn(flags);
   const TerminalProgress terminal;
@@ -52,6 +56,9 @@ void plants(PlantsFlags flags) {
   terminal.clear();
   for (const CleaningRecord& record : cut.steps)
     printNotes(eachInEnglish(record.notes));
+  if (written.size() < bases.size())
+    printNotes({"no plant stands at " + std::to_string(bases.size() - written.size()) + " of the " +
+                counted(bases.size(), "place") + " of --base"});
   for (const PlantFile& plant : written)
     printWritten(plant.project.string() + ": " +
                  counted(static_cast<std::size_t>(plant.points), "point"));

@@ -135,6 +135,14 @@ CutPlot cutPlot(const std::shared_ptr<const PointCloud>& cloud,
                           how.together / 2);
     result.plants.push_back(std::move(plant));
   }
+  if (result.plants.empty())
+    throw ShownError(
+        {bases.empty()
+             ? espalier::Shown::tr("nothing is left of the plants that are found: let fewer steps "
+                                   "leave out points")
+             : espalier::Shown::tr("no plant stands at the places that are given: give them in the "
+                                   "coordinates of the scan, at the feet of stems"),
+         {}});
   return result;
 }
 

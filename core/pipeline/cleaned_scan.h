@@ -50,7 +50,7 @@ struct CutPlot {
 /// left, and cleans each plant by the steps behind by its own scale. A plant of which that leaves
 /// nothing is none.
 /// @param bases  where plants stand [L], frame of the file; none: they are looked for
-/// @throws as cleanedScan() and plantsAmong() (core/clean/plants.h)
+/// @throws as cleanedScan() and plantsAmong() (core/clean/plants.h); also if no plant comes of it
 [[nodiscard]] CutPlot cutPlot(const std::shared_ptr<const PointCloud>& cloud,
                               const std::vector<Eigen::Vector3d>& bases,
                               const PipelineOptions& options, const Progress& progress = {});

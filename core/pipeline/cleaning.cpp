@@ -15,9 +15,9 @@ std::vector<CleaningMethod> cleaningMethods() {
   return all;
 }
 
-PointSet leftOutBy(const Method& method, const std::vector<double>& values,
-                   const std::shared_ptr<const PointCloud>& cloud, const PipelineOptions& options,
-                   const Progress& progress) {
+Imported<PointSet> leftOutBy(const Method& method, const std::vector<double>& values,
+                             const std::shared_ptr<const PointCloud>& cloud,
+                             const PipelineOptions& options, const Progress& progress) {
   PipelineState state = firstState(cloud, options);
   const std::vector<bool> before = state.isLeftOut;
   method.run(state, values, progress);
@@ -32,7 +32,7 @@ PointSet leftOutBy(const Method& method, const std::vector<double>& values,
   std::vector<Eigen::Index> found;
   for (std::size_t i = 0; i < isFound.size(); ++i)
     if (isFound[i]) found.push_back(static_cast<Eigen::Index>(i));
-  return PointSet::of(found) - options.leftOut;
+  return {PointSet::of(found) - options.leftOut, std::move(state.notes)};
 }
 
 } // namespace espalier

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/imported.h"
+#include "core/cloud/point_set.h"
 #include "core/pipeline/pipeline_options.h"
 
 #include <memory>
@@ -18,13 +20,14 @@ struct CleaningMethod {
 [[nodiscard]] std::vector<CleaningMethod> cleaningMethods();
 
 /// The points that a method would leave out, among those not yet set aside; with each those
-/// repeated at its place.
+/// repeated at its place; and what the method notes, as why there are none.
 /// @param values   one per option of the method, in order
 /// @param options  up, the root, and what was set aside; none of that is returned
 /// @throws Error     if the method does
 /// @throws Cancelled if `progress` asks to stop
-[[nodiscard]] PointSet leftOutBy(const Method& method, const std::vector<double>& values,
-                                 const std::shared_ptr<const PointCloud>& cloud,
-                                 const PipelineOptions& options, const Progress& progress = {});
+[[nodiscard]] Imported<PointSet> leftOutBy(const Method& method, const std::vector<double>& values,
+                                           const std::shared_ptr<const PointCloud>& cloud,
+                                           const PipelineOptions& options,
+                                           const Progress& progress = {});
 
 } // namespace espalier

@@ -7,6 +7,7 @@
 #include "core/pipeline/typed_value.h"
 
 #include <cmath>
+#include <set>
 #include <sstream>
 
 namespace espalier {
@@ -62,14 +63,22 @@ double checkedValue(const Step& step, const Option& option, double value, const 
 
 /// The option of that name of the method that is chosen, or else of another of the step. (Those of
 /// one name take the same words: the method may be chosen later.)
-const Option* optionNamed(const Step& step, const PipelineOptions& options,
+const Option& optionNamed(const Step& step, const PipelineOptions& options,
                           const std::string& name) {
   const Option* found = nullptr;
+  std::set<std::string> names;
   for (const Method& method : step.methods)
-    for (const Option& option : method.options)
+    for (const Option& option : method.options) {
+      names.insert(option.name);
       if (option.name == name && (!found || &method == &chosenMethod(step, options)))
         found = &option;
-  return found;
+    }
+  if (found) return *found;
+  std::string others = "method";
+  for (const std::string& each : names)
+    others += ", " + each;
+  throw ShownError(
+      {Shown::tr("step %1 has no option \"%2\": choose one of %3"), {step.name, name, others}});
 }
 
 /// What is no value, and the line to type instead.
@@ -93,11 +102,8 @@ ShownError noUnit(const std::string& name, const std::string& text, const TypedV
        {name, text, shortDecimal(1000 * length), shortDecimal(length)}});
 }
 
-/// @param option  none: not known yet
 /// @param meters  in the unit of the scan; 0: not known
-Rule ruleOf(const std::string& name, const std::string& typedText, const Option* option,
-            double meters) {
-  const OptionKind kind = option == nullptr ? OptionKind::length : option->kind;
+Rule ruleOf(const std::string& name, const std::string& typedText, OptionKind kind, double meters) {
   // An angle or a share has no unit of length: '30mm' is not converted, and so refused below.
   const std::string text = kind == OptionKind::length ? inUnitOf(meters, typedText) : typedText;
   const TypedValue typed = typedValue(text);
@@ -139,16 +145,16 @@ void PipelineOptions::choose(const Step& step, const std::string& method) {
 void PipelineOptions::setText(const Step& in, const std::string& option, const std::string& text,
                               double meters) {
   const std::string& step = in.name;
-  if (const Option* known = optionNamed(in, *this, option); known && known->takesWords()) {
-    const std::optional<double> word = known->valueOf(text);
-    if (!word)
-      throw ShownError({espalier::Shown::tr("%1 takes no \"%2\": choose one of %3"),
-                        {step + "." + option, text, known->words()}});
-    settings[step][option] = fixedAt(*word);
+  const Option& known = optionNamed(in, *this, option);
+  if (!known.takesWords()) {
+    settings[step][option] = ruleOf(step + "." + option, text, known.kind, meters);
     return;
   }
-  const Option* known = optionNamed(in, *this, option);
-  settings[step][option] = ruleOf(step + "." + option, text, known, meters);
+  const std::optional<double> word = known.valueOf(text);
+  if (!word)
+    throw ShownError({espalier::Shown::tr("%1 takes no \"%2\": choose one of %3"),
+                      {step + "." + option, text, known.words()}});
+  settings[step][option] = fixedAt(*word);
 }
 
 void requireKnown(const PipelineOptions& options) {

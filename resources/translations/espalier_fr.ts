@@ -2298,6 +2298,10 @@
         <source>at node</source>
         <translation>au nœud</translation>
     </message>
+    <message>
+        <source>It is about the whole plant, the stem included.</source>
+        <translation>Elle entoure toute la plante, tige comprise.</translation>
+    </message>
 </context>
 <context>
     <name>ReportedPlant</name>
@@ -3529,6 +3533,10 @@
         <source>Set aside: %1</source>
         <translation>Mis de côté&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
 </context>
 <context>
     <name>espalier::CleanPanel</name>
@@ -4441,10 +4449,6 @@
         <translation>Enveloppe du houppier</translation>
     </message>
     <message>
-        <source>Choose a shape: it is drawn about the crown, and measured.</source>
-        <translation>Choisissez une forme&#xa0;: elle est dessinée autour du houppier, et mesurée.</translation>
-    </message>
-    <message>
         <source>It follows from the plant alone: it has no handles to drag.</source>
         <translation>Elle suit de la plante seule&#xa0;: elle n’a pas de poignées à glisser.</translation>
     </message>
@@ -4516,6 +4520,10 @@
         <source>Drag: move %1   Esc: put it back while you drag</source>
         <translation>Glisser&#xa0;: déplacer %1   Échap&#xa0;: remettre en place pendant le glissement</translation>
     </message>
+    <message>
+        <source>Choose a shape: it is drawn about the plant, and measured. From height leaves out a bare stem.</source>
+        <translation>Choisissez une forme&#xa0;: elle est tracée autour de la plante et mesurée. «&#xa0;À partir de la hauteur&#xa0;» laisse de côté une tige nue.</translation>
+    </message>
 </context>
 <context>
     <name>espalier::EnvelopePanel</name>
@@ -4552,8 +4560,8 @@
         <translation>Enveloppe du houppier</translation>
     </message>
     <message>
-        <source>Choose a shape: it is drawn about the crown, and measured.</source>
-        <translation>Choisissez une forme&#xa0;: elle est dessinée autour du houppier, et mesurée.</translation>
+        <source>Choose a shape: it is drawn about the plant, and measured. From height leaves out a bare stem.</source>
+        <translation>Choisissez une forme&#xa0;: elle est tracée autour de la plante et mesurée. «&#xa0;À partir de la hauteur&#xa0;» laisse de côté une tige nue.</translation>
     </message>
 </context>
 <context>
@@ -6775,6 +6783,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <source>%1 points</source>
         <translation>%1 points</translation>
     </message>
+    <message>
+        <source>their number is known once they are read</source>
+        <translation>leur nombre est connu une fois qu’ils sont lus</translation>
+    </message>
 </context>
 <context>
     <name>espalier::PickRootTool</name>
@@ -7006,6 +7018,33 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>Precision, recall and F over the tolerance; drag to choose one</source>
         <translation>Précision, rappel et F selon la tolérance&#xa0;; glisser pour en choisir une</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::PointsExportFlow</name>
+    <message>
+        <source>Export Points…</source>
+        <translation>Exporter les points…</translation>
+    </message>
+    <message>
+        <source>Writes the points that are not set aside, as PLY or text</source>
+        <translation>Écrit les points qui ne sont pas mis de côté, en PLY ou en texte</translation>
+    </message>
+    <message>
+        <source>Export the points</source>
+        <translation>Exporter les points</translation>
+    </message>
+    <message>
+        <source>%1 is the scan itself: choose another name</source>
+        <translation>%1 est le scan lui-même&#xa0;: choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Écriture de %1</translation>
+    </message>
+    <message>
+        <source>Wrote %1: %2 points</source>
+        <translation>%1 est écrit&#xa0;: %2 points</translation>
     </message>
 </context>
 <context>
@@ -12925,8 +12964,8 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>sa projection cartographique est en mètres</translation>
     </message>
     <message>
-        <source>its map projection is in feet, which have no name here</source>
-        <translation>sa projection cartographique est en pieds, qui n’ont pas de nom ici</translation>
+        <source>its map projection is in feet, which have no name here: lengths are shown without a unit</source>
+        <translation>sa projection cartographique est en pieds, qui n’ont pas de nom ici&#xa0;: les longueurs sont affichées sans unité</translation>
     </message>
     <message>
         <source>LAS has heights along z</source>
@@ -15279,6 +15318,38 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>the stem of the plant does not rise that high</source>
         <translation>la tige de la plante ne monte pas si haut</translation>
+    </message>
+    <message>
+        <source>is a project: give the scan or the structure in it, which espalier convert writes, or open it in the window</source>
+        <translation>est un projet&#xa0;: donnez le scan ou la structure qu’il contient, qu’espalier convert écrit, ou ouvrez-le dans la fenêtre</translation>
+    </message>
+    <message>
+        <source>none of its %1 points lies in the box from %2 to %3: a sample of them lies from %4 to %5</source>
+        <translation>aucun de ses %1 points n’est dans la boîte de %2 à %3&#xa0;: un échantillon s’étend de %4 à %5</translation>
+    </message>
+    <message>
+        <source>nothing is left of the plants that are found: let fewer steps leave out points</source>
+        <translation>il ne reste rien des plantes trouvées&#xa0;: laissez moins d’étapes écarter des points</translation>
+    </message>
+    <message>
+        <source>no plant stands at the places that are given: give them in the coordinates of the scan, at the feet of stems</source>
+        <translation>aucune plante ne se dresse aux endroits donnés&#xa0;: donnez-les dans les coordonnées du scan, au pied des tiges</translation>
+    </message>
+    <message>
+        <source>From height</source>
+        <translation>À partir de la hauteur</translation>
+    </message>
+    <message>
+        <source>Points lower than this above the foot are left out, as those of a bare stem. 0: it is about the whole plant.</source>
+        <translation>Les points plus bas que cela au-dessus du pied sont écartés, comme ceux d’une tige nue. 0&#xa0;: elle entoure toute la plante.</translation>
+    </message>
+    <message>
+        <source>hardly a point lies higher than &quot;from&quot;, %1 above the foot: choose a lower height</source>
+        <translation>presque aucun point n’est plus haut que «&#xa0;from&#xa0;», %1 au-dessus du pied&#xa0;: choisissez une hauteur moindre</translation>
+    </message>
+    <message>
+        <source>step %1 has no option &quot;%2&quot;: choose one of %3</source>
+        <translation>l’étape %1 n’a pas d’option «&#xa0;%2&#xa0;»&#xa0;: choisissez parmi %3</translation>
     </message>
 </context>
 <context>

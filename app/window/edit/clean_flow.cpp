@@ -7,6 +7,7 @@
 #include "core/clean/wire.h"
 #include "core/pipeline/cleaning.h"
 #include "ui/document/plant_document.h"
+#include "ui/document/shown_message.h"
 #include "ui/document/shown_text.h"
 #include "ui/panels/clean_panel.h"
 #include "ui/tools/select_points_tool.h"
@@ -158,11 +159,14 @@ void CleanFlow::find() {
                                  .organs = parts_.document.organs()}](const Progress& progress) {
         return leftOutBy(*choice.cleaning.method, choice.values, cloud, options, progress);
       };
-  job_.start(tr("Finding points"), work,
-             [this, name = shownText(choice->cleaning.step->label)](const PointSet& found) {
-               parts_.document.pointSelection().set(found);
-               keepName(name);
-             });
+  job_.start(
+      tr("Finding points"), work,
+      [this, name = shownText(choice->cleaning.step->label)](const Imported<PointSet>& found) {
+        parts_.document.pointSelection().set(found.value);
+        if (found.value.isEmpty() && !found.notes.empty())
+          failure_ = tr("%1: %2").arg(name, shownText(found.notes.front()));
+        keepName(name);
+      });
 }
 
 void CleanFlow::answer(const PointQuestion& question, const PointAnswer& answer) {

@@ -16,6 +16,7 @@ namespace espalier {
 namespace {
 
 namespace fs = std::filesystem;
+using test::expectRefusal;
 using test::Outcome;
 using test::runProgram;
 using testing::HasSubstr;
@@ -116,6 +117,26 @@ TEST_F(CleanCommands, TakeTheBasesThatAreGiven) {
   std::ranges::replace(base, ' ', ',');
   EXPECT_EQ(runProgram({"plants", plot_, "-o", file("one"), "--base", base}).status, 0);
   EXPECT_EQ(readCsv(textOf(file("one/plants.csv")), "plants.csv").rows.size(), 1U);
+  expectRefusal(runProgram({"plants", plot_, "-o", file("off"), "--base", "900,-900,0"}), 1,
+                {"plot.ply: no plant stands at the places that are given"});
+  EXPECT_FALSE(fs::exists(file("off")));
+  const Outcome some =
+      runProgram({"plants", plot_, "-o", file("some"), "--base", base, "--base", "900,-900,0"});
+  EXPECT_EQ(some.status, 0);
+  EXPECT_THAT(some.err, HasSubstr("no plant stands at 1 of the 2 places of --base"));
+}
+
+TEST_F(CleanCommands, KeepOnePlantOrAllAsIsAsked) {
+  const auto kept = [&](const test::Arguments& more) {
+    test::Arguments arguments = {"clean", plot_, "-o", file("kept.ply"), "--preset", "plot"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(runProgram(arguments).status, 0);
+    return readPoints(file("kept.ply")).value.size();
+  };
+  EXPECT_LT(1.5 * static_cast<double>(kept({})),
+            static_cast<double>(kept({"--set", "plant.method=none"})));
+  expectRefusal(runProgram({"plants", plot_, "-o", file("whole"), "--set", "plant.method=none"}), 2,
+                {"plant.method=none leaves a plot whole"});
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "core/base/shown_message.h"
 #include "core/pipeline/cleaning.h"
 
 #include <gtest/gtest.h>
@@ -49,15 +50,26 @@ TEST(CleaningMethods, ListsAllMethodsThatLeaveSomethingOut) {
 
 TEST(CleaningMethods, FindsWhatAMethodLeavesOutWithThoseAtItsPlace) {
   const auto cloud = rowWithStrays();
-  const PointSet found = leftOutBy(isolatedPoints(), near10, cloud, {});
+  const PointSet found = leftOutBy(isolatedPoints(), near10, cloud, {}).value;
   EXPECT_EQ(placesOf(found, *cloud),
             (std::vector{Vector3d(20, -30, 0), Vector3d(100, 40, 0), Vector3d(100, 40, 0)}));
 }
 
 TEST(CleaningMethods, FindsNothingAmongWhatIsSetAside) {
   const auto cloud = rowWithStrays();
-  const PointSet found = leftOutBy(isolatedPoints(), near10, cloud, {});
-  EXPECT_TRUE(leftOutBy(isolatedPoints(), near10, cloud, {.leftOut = found}).isEmpty());
+  const PointSet found = leftOutBy(isolatedPoints(), near10, cloud, {}).value;
+  EXPECT_TRUE(leftOutBy(isolatedPoints(), near10, cloud, {.leftOut = found}).value.isEmpty());
+}
+
+TEST(CleaningMethods, SayWhyTheyCanFindNothing) {
+  const auto all = cleaningMethods();
+  const auto greenness = std::ranges::find_if(
+      all, [](const CleaningMethod& each) { return each.method->name == "greenness"; });
+  ASSERT_NE(greenness, all.end());
+  const auto found = leftOutBy(*greenness->method, {-1, 0.1}, rowWithStrays(), {});
+  EXPECT_TRUE(found.value.isEmpty());
+  ASSERT_EQ(found.notes.size(), 1U);
+  EXPECT_EQ(inEnglish(found.notes[0]), "the points have no colors, so all of them are kept");
 }
 
 TEST(CleaningMethods, CanBeStopped) {

@@ -47,7 +47,7 @@ TEST(LeavesStep, LeavesOutBladesAndKeepsStems) {
 TEST(LeavesStep, FindsTheSameByItself) {
   const auto cloud = std::make_shared<const PointCloud>(test::leafyHerb().cloud);
   const Step& step = stepNamed("leaves");
-  const PointSet found = leftOutBy(methodNamed(step, "shapes"), {0}, cloud, {});
+  const PointSet found = leftOutBy(methodNamed(step, "shapes"), {0}, cloud, {}).value;
   PipelineOptions alone = withoutLeaves("foliage");
   alone.set("clean.method=none");
   EXPECT_EQ(found, cleanedScan(cloud, alone).leftOut);

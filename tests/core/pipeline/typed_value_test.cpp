@@ -69,6 +69,15 @@ TEST(TypedValue, RefusesOtherUnitsWithTheLineToType) {
   EXPECT_THAT(refusalOf("contract.neighbors=6sc"), HasSubstr("write contract.neighbors=6"));
 }
 
+TEST(TypedValue, OfAnOptionThatNoMethodHasNamesThoseThereAre) {
+  PipelineOptions options;
+  for (const char* typed : {"ground.metod=cloth", "ground.metod=6"})
+    EXPECT_THAT([&] { options.set(typed); },
+                testing::ThrowsMessage<Error>(
+                    HasSubstr("step ground has no option \"metod\": choose one of method, ")))
+        << typed;
+}
+
 // Where the unit of the scan is known, a length in mm is one, and never an angle or a share.
 TEST(TypedValue, IsALengthForLengthsAlone) {
   const auto set = [](const std::string& assignment) {

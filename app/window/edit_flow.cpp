@@ -50,14 +50,16 @@ void EditFlow::addHistory() {
                                 .help = tr("Takes the last edit back"),
                                 .icon = "undo",
                                 .keys = QKeySequence(Qt::CTRL | Qt::Key_Z),
-                                .menu = "edit/history"},
+                                .menu = "edit/history",
+                                .inPalette = tr("Undo")}, // not found by what it undoes
                                [this] { this->undo(); });
   QAction* redo = actions_.add({.id = "redo",
                                 .text = tr("&Redo"),
                                 .help = tr("Makes the edit again"),
                                 .icon = "redo",
                                 .keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z),
-                                .menu = "edit/history"},
+                                .menu = "edit/history",
+                                .inPalette = tr("Redo")},
                                [this] { this->redo(); });
   redo->setShortcuts({redo->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_Y)});
   undo->setEnabled(false);

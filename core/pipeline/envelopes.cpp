@@ -28,7 +28,7 @@ std::vector<Option> crownOptions() {
       "within", Shown::tr("Share within"), 0.8, 1,
       Shown::tr("Share of the points that the crown is made of: the outermost are left out."));
   within.rule = fixedAt(1);
-  Option from = lengthOption("from", Shown::tr("From height"), 0, 1'000'000,
+  Option from = lengthOption("from", Shown::tr("From height"), 0, 20'000,
                              Shown::tr("Points lower than this above the foot are left out, as "
                                        "those of a bare stem. 0: it is about the whole plant."));
   from.rule = fixedAt(0);

@@ -32,6 +32,10 @@ std::optional<KindOfScan> kindOfScan(const std::shared_ptr<const PointCloud>& cl
   const std::vector<Eigen::Index> counted = others(passed, cloud->size());
   if (counted.size() < fewestLookedAt) return std::nullopt;
   const StandingPoints standing = standingPoints(*cloud, evenlyChosen(counted), options.up);
+  const Eigen::Vector3f sizes =
+      standing.positions.rowwise().maxCoeff() - standing.positions.rowwise().minCoeff();
+  constexpr double widest = 100; // m
+  if (metersInUnit * sizes.head<2>().maxCoeff() > widest) return std::nullopt;
   const double spacing = pointSpacing(standing.positions, progress);
   std::optional<Eigen::Index> root;
   if (options.root)
@@ -41,9 +45,7 @@ std::optional<KindOfScan> kindOfScan(const std::shared_ptr<const PointCloud>& cl
   const KindFeatures features =
       kindFeatures(standing.positions, organs, spacing, progress.part(0.8, 1));
   std::optional<double> height;
-  if (metersInUnit > 0)
-    height = metersInUnit *
-             (standing.positions.row(2).maxCoeff() - standing.positions.row(2).minCoeff());
+  if (metersInUnit > 0) height = metersInUnit * sizes.z();
   KindOfScan result{.likely = likelyKind(features, fittedKindOdds(), height)};
   std::copy_n(features.begin(), result.shares.size(), result.shares.begin());
   return result;

@@ -24,7 +24,7 @@ struct KindOfScan {
 /// evenly chosen points are looked at, at most 100 000.
 /// @param options  up, the root, and what was set aside; steps are not run
 /// @param metersInUnit  of the scan: trees are taller than herbs; 0: not known
-/// @return none of fewer than 200 places
+/// @return none of fewer than 200 places, and of what is wider than any crown
 /// @throws Cancelled if `progress` asks to stop
 /// Deterministic for any number of threads.
 [[nodiscard]] std::optional<KindOfScan> kindOfScan(const std::shared_ptr<const PointCloud>& cloud,

@@ -4302,6 +4302,14 @@
         <source>Take points for no wood</source>
         <translation>Prendre des points pour autre chose que du bois</translation>
     </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
 </context>
 <context>
     <name>espalier::Editing</name>

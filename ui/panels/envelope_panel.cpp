@@ -144,7 +144,8 @@ void EnvelopePanel::makeForm() {
     formPlace_->addWidget(form_);
     connect(form_, &MethodForm::changed, this, &EnvelopePanel::changed);
   }
-  showWords(form_ == nullptr ? tr("Choose a shape: it is drawn about the plant, and measured. From height leaves out a bare stem.")
+  showWords(form_ == nullptr ? tr("Choose a shape: it is drawn about the plant, and measured. From "
+                                  "height leaves out a bare stem.")
                              : QString());
 }
 

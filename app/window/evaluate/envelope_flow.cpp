@@ -304,7 +304,8 @@ void EnvelopeFlow::forgetDrawn(const QString& words) {
   parts_.view.setEnvelope(std::nullopt);
   if (choice_.kind != nullptr || words.isEmpty())
     panel_->showWords(choice_.kind == nullptr
-                          ? tr("Choose a shape: it is drawn about the plant, and measured. From height leaves out a bare stem.")
+                          ? tr("Choose a shape: it is drawn about the plant, and measured. From "
+                               "height leaves out a bare stem.")
                           : words);
   parts_.window.actions["write_envelope"]->setEnabled(false);
   emit changed();

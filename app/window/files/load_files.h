@@ -24,7 +24,7 @@ struct LoadedFiles {
   std::unique_ptr<const Scan> scan; // null: none
   QString scanPath;
   LengthUnit unit = LengthUnit::unknown; // of the scan, as its file says, else as its bounds show
-  ScanPart part;                              // of the file that the scan is
+  ScanPart part;                         // of the file that the scan is
   std::optional<ScanReference> scanReference; // to find it again
   std::optional<Structure> structure;
   QString structurePath;

@@ -90,6 +90,28 @@ TEST_F(MainWindowTest, FindsACommandByWhatItDoes) {
                               patience));
 }
 
+TEST_F(MainWindowTest, FindsUndoByItsOwnNameAndNotByWhatItUndoes) {
+  open({writeFork("fork.mtg")});
+  document().edit("Set radius", [&](SkeletonEditor& editor) {
+    editor.setRadius(editor.skeleton().roots().front(), 0.2);
+  });
+  ASSERT_EQ(action("undo").text(), "&Undo: Set radius");
+  const auto listed = [this](const char* typed) {
+    action("palette").trigger();
+    auto& palette = find<QDialog>("command_palette");
+    QTest::keyClicks(palette.findChild<QLineEdit*>(), typed);
+    const auto& list = *palette.findChild<QListWidget*>();
+    QStringList texts;
+    for (int row = 0; row < list.count(); ++row)
+      texts.append(list.item(row)->text());
+    palette.close();
+    QTest::qWait(1); // until it is gone
+    return texts;
+  };
+  EXPECT_FALSE(listed("radius").contains("Edit: Undo"));
+  EXPECT_EQ(listed("undo").value(0), "Edit: Undo");
+}
+
 TEST_F(MainWindowTest, ShowsItsShortcuts) {
   action("shortcuts").trigger();
   auto& sheet = find<QDialog>("shortcut_sheet");

@@ -65,6 +65,13 @@ TEST(KindOfScan, IsATreeIfItIsAsTall) {
   EXPECT_NE(tall, PlantKind::grass);
 }
 
+TEST(KindOfScan, OfAForestIsNone) {
+  const Eigen::Vector3d sizes = herbOfKind()->bounds().sizes();
+  const double width = sizes.head<2>().maxCoeff();
+  EXPECT_TRUE(kindOfScan(herbOfKind(), {}, 90 / width));
+  EXPECT_FALSE(kindOfScan(herbOfKind(), {}, 110 / width));
+}
+
 TEST(KindOfScan, DoesNotCountWhatIsSetAside) {
   const test::LabeledCloud& scan = test::leafyHerb();
   std::vector<Eigen::Index> blades;

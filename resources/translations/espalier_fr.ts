@@ -17456,6 +17456,14 @@ Chargez une référence pour voir comment les deux s’accordent.</translation>
         <source>Close up, heights and intensities of the points that are seen take all colors</source>
         <translation>De près, les hauteurs et intensités des points vus prennent toutes les couleurs</translation>
     </message>
+    <message>
+        <source>Red-Cyan Stereo</source>
+        <translation>Stéréo rouge-cyan</translation>
+    </message>
+    <message>
+        <source>Draws the plant for each eye, for glasses of red and cyan</source>
+        <translation>Dessine la plante pour chaque œil, pour des lunettes rouge et cyan</translation>
+    </message>
 </context>
 <context>
     <name>espalier::WorklistFlow</name>

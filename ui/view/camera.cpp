@@ -147,6 +147,12 @@ Eigen::Matrix4d Camera::viewMatrix(const Eigen::Vector3d& origin) const {
   matrix.topLeftCorner<3, 3>() = axes(*this);
   // Subtracted in double before it is turned: this is where large coordinates lose their size.
   matrix.topRightCorner<3, 1>() = -(axes(*this) * (eye() - origin));
+  if (projection == Projection::perspective)
+    matrix(0, 3) -= aside * distance;
+  else { // what is before the focus goes to the left, what is behind it to the right
+    matrix.row(0) -= aside * matrix.row(2);
+    matrix(0, 3) -= aside * distance;
+  }
   return matrix;
 }
 
@@ -159,6 +165,7 @@ Eigen::Matrix4d Camera::projectionMatrix(double aspect, const DepthRange& depths
     matrix.diagonal() << scale / aspect, scale, -(f + n) / (f - n), 0;
     matrix(2, 3) = -2 * f * n / (f - n);
     matrix(3, 2) = -1;
+    matrix(0, 2) = -scale / aspect * aside;
   } else {
     const double scale = 1 / halfHeight();
     matrix.diagonal() << scale / aspect, scale, -2 / (f - n), 1;

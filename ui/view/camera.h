@@ -34,6 +34,9 @@ struct Camera {
   double pitch = 0; // [rad], in [-pi/2, pi/2]; positive looks down on the plant
   Projection projection = Projection::perspective;
   UpAxis upAxis = UpAxis::z; // of the frame of the file
+  /// How far to the right of the eye it is drawn from, by the distance: for one of two eyes. The
+  /// plane of the focus stays where it is on the screen.
+  double aside = 0;
 
   [[nodiscard]] Eigen::Vector3d right() const;
   [[nodiscard]] Eigen::Vector3d up() const;

@@ -39,7 +39,8 @@ SurfaceClient PlantView::Parts::client() {
                 // Later, so that what the user does comes first.
                 if (!complete && !moving)
                   QTimer::singleShot(0, surface, qOverload<>(&QWidget::update));
-              }};
+              },
+          .isStereo = [this] { return shared->isStereo; }};
 }
 
 double PlantView::Parts::seenViews() const {

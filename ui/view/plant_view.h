@@ -130,6 +130,8 @@ public:
   void showAttachment(const std::optional<ShownAttachment>& attachment);
   void showGhosts(std::vector<ShownGhost> ghosts); // over the plant, with their numbers; none
   void setProjection(Projection projection);
+  /// Draws the plant for each eye, for glasses of red and cyan: see redCyan(). At first: not.
+  void setStereo(bool isStereo);
   void setDark(bool dark);
   void setMinimapShown(bool isShown);      // in views that are large enough; at first: not
   void setLengthUnit(const QString& unit); // written at scales; empty: not known

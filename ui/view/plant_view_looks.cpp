@@ -233,6 +233,11 @@ void PlantView::setShowRadii(bool trueRadii) {
   parts_->redraw();
 }
 
+void PlantView::setStereo(bool isStereo) {
+  parts_->shared->isStereo = isStereo;
+  parts_->redraw();
+}
+
 void PlantView::setProjection(Projection projection) {
   for (Parts* view : parts_->shared->views) {
     Camera camera = view->navigator.destination();

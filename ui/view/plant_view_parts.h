@@ -35,6 +35,7 @@ struct PlantView::Shared {
   std::optional<Eigen::Vector3d> rootMark; // as PlantView::setRootMark
   KnownViews knownViews;
   bool doColorsSpanSeen = true; // as PlantView::setColorsSpanSeen
+  bool isStereo = false;        // as PlantView::setStereo
   std::vector<Parts*> views;
 
   [[nodiscard]] SeenSides seenSides() const; // in any view

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "ui/view/offscreen_renderer.h"
+#include "ui/view/stereo.h"
 
 #include <QElapsedTimer>
 #include <QGuiApplication>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
 namespace espalier {
 namespace {
@@ -24,14 +26,41 @@ QSize devicePixels(const QWidget& widget) {
 }
 
 /// Draws a frame and notifies the client how long it took.
-template <class Renderer>
-void drawFrame(Renderer& renderer, const SurfaceClient& client, const QWidget& widget) {
-  const PlantRenderer::Frame frame =
-      client.nextFrame(devicePixels(widget), widget.devicePixelRatioF());
+/// @param second  draws for the right eye, and is there only while that is asked for
+/// @return the picture for both eyes; none: it is what the renderer has drawn
+template <class Renderer, class Make>
+std::optional<QImage> drawFrame(Renderer& renderer, std::unique_ptr<Renderer>& second,
+                                const Make& makeSecond, const SurfaceClient& client,
+                                const QWidget& widget) {
+  PlantRenderer::Frame frame = client.nextFrame(devicePixels(widget), widget.devicePixelRatioF());
   QElapsedTimer timer;
   timer.start();
-  const PlantRenderer::Result result = renderer.draw(frame);
+  std::optional<QImage> both;
+  PlantRenderer::Result result{};
+  if (client.isStereo()) {
+    if (!second) second = makeSecond();
+    const auto [left, right] = eyesOf(frame.camera);
+    frame.points = std::max<Eigen::Index>(1, frame.points / 2);
+    frame.camera = left;
+    result = renderer.draw(frame);
+    const QImage ofLeft = renderer.image();
+    frame.camera = right;
+    const PlantRenderer::Result other = second->draw(frame);
+    both = redCyan(ofLeft, second->image());
+    result.complete = result.complete && other.complete;
+    result.pointsDrawn += other.pointsDrawn;
+    result.reliefDrawn = result.reliefDrawn || other.reliefDrawn;
+  } else {
+    second.reset();
+    result = renderer.draw(frame);
+  }
   client.drawn(result, static_cast<double>(timer.nsecsElapsed()) * 1e-6);
+  return both;
+}
+
+void paintImage(QPainter& painter, QImage image, double pixelRatio) {
+  image.setDevicePixelRatio(pixelRatio);
+  painter.drawImage(0, 0, image);
 }
 
 /// An error has no caller to go to from within a paint event: it is shown where the plant would be.
@@ -54,11 +83,10 @@ protected:
   void paintEvent(QPaintEvent* /*event*/) override {
     QPainter painter(this);
     try {
-      if (!renderer_) renderer_ = std::make_unique<OffscreenRenderer>(scene_, buffers_);
-      drawFrame(*renderer_, client_, *this);
-      QImage image = renderer_->image();
-      image.setDevicePixelRatio(devicePixelRatioF());
-      painter.drawImage(0, 0, image);
+      const auto make = [this] { return std::make_unique<OffscreenRenderer>(scene_, buffers_); };
+      if (!renderer_) renderer_ = make();
+      const auto both = drawFrame(*renderer_, second_, make, client_, *this);
+      paintImage(painter, both ? *both : renderer_->image(), devicePixelRatioF());
     } catch (const Error& error) {
       paintError(painter, *this, error);
     }
@@ -69,6 +97,7 @@ private:
   std::shared_ptr<SceneBuffers> buffers_;
   SurfaceClient client_;
   std::unique_ptr<OffscreenRenderer> renderer_;
+  std::unique_ptr<OffscreenRenderer> second_; // for the right eye, if there are two
 };
 
 class OpenGlSurface : public QOpenGLWidget {
@@ -95,7 +124,25 @@ protected:
     // QOpenGLWidget::makeCurrent would also bind its framebuffer, in the midst of VTK's drawing.
     surface_ = context()->surface();
     lost_ = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { release(); });
-    renderer_ = std::make_unique<PlantRenderer>(
+    renderer_ = makeRenderer();
+  }
+
+  void paintGL() override {
+    try {
+      const auto both = drawFrame(
+          *renderer_, second_, [this] { return makeRenderer(); }, client_, *this);
+      if (!both) return renderer_->copyTo(defaultFramebufferObject());
+      QPainter painter(this);
+      paintImage(painter, *both, devicePixelRatioF());
+    } catch (const Error& error) {
+      QPainter painter(this);
+      paintError(painter, *this, error);
+    }
+  }
+
+private:
+  std::unique_ptr<PlantRenderer> makeRenderer() {
+    return std::make_unique<PlantRenderer>(
         scene_, buffers_,
         PlantRenderer::Context{
             [this] {
@@ -105,21 +152,11 @@ protected:
             [this] { return context() && QOpenGLContext::currentContext() == context(); }});
   }
 
-  void paintGL() override {
-    try {
-      drawFrame(*renderer_, client_, *this);
-      renderer_->copyTo(defaultFramebufferObject());
-    } catch (const Error& error) {
-      QPainter painter(this);
-      paintError(painter, *this, error);
-    }
-  }
-
-private:
   void release() {
     disconnect(lost_);
     if (!renderer_) return;
     makeCurrent();
+    second_.reset();
     renderer_.reset();
     doneCurrent();
   }
@@ -130,6 +167,7 @@ private:
   QSurface* surface_ = nullptr;
   QMetaObject::Connection lost_;
   std::unique_ptr<PlantRenderer> renderer_;
+  std::unique_ptr<PlantRenderer> second_; // for the right eye, if there are two
 };
 
 /// Whether the processor does what a graphics card should, as in virtual machines and over a

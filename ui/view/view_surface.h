@@ -13,6 +13,7 @@ namespace espalier {
 struct SurfaceClient {
   std::function<PlantRenderer::Frame(QSize devicePixels, double pixelRatio)> nextFrame;
   std::function<void(const PlantRenderer::Result& result, double milliseconds)> drawn;
+  std::function<bool()> isStereo; // whether the frame is drawn for each eye, by redCyan()
 };
 
 /// How a picture comes into its widget: painted as an image that was drawn off screen, or drawn by

@@ -209,6 +209,14 @@ void ViewOptions::addProjections() {
                              .help = tr("Equal lengths look equal"),
                              .menu = "view/projections"});
   if (projections_->checkedAction() == nullptr) actions_["perspective"]->trigger();
+  QAction* stereo =
+      actions_.add({.id = "stereo",
+                    .text = tr("Red-Cyan Stereo"),
+                    .help = tr("Draws the plant for each eye, for glasses of red and cyan"),
+                    .isCheckable = true,
+                    .menu = "view/projections"},
+                   {});
+  connect(stereo, &QAction::toggled, this, [this](bool isStereo) { view_.setStereo(isStereo); });
 }
 
 void ViewOptions::addMinimap() {

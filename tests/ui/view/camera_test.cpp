@@ -211,5 +211,28 @@ TEST(Camera, SeesAFlatPlantBroadsideWhicheverAxisIsUp) {
   }
 }
 
+// Where a place is drawn for an eye that is aside, in half widths of the screen.
+double drawnAt(const Camera& camera, const Eigen::Vector3d& place) {
+  const DepthRange depths{0.1, 100};
+  const Eigen::Vector4d clip = camera.projectionMatrix(1, depths) *
+                               camera.viewMatrix(Eigen::Vector3d::Zero()) * place.homogeneous();
+  return clip.x() / clip.w();
+}
+
+TEST(Camera, OfAnEyeAsideKeepsTheFocusAndPartsWhatIsBeforeAndBehindIt) {
+  for (const Projection projection : {Projection::perspective, Projection::parallel}) {
+    Camera camera{.focus = {1, 2, 3}, .distance = 10, .yaw = 0.4, .projection = projection};
+    const Camera middle = camera;
+    camera.aside = 0.1; // the right eye
+    const Eigen::Vector3d before = camera.focus - 3 * camera.forward();
+    const Eigen::Vector3d behind = camera.focus + 3 * camera.forward();
+    EXPECT_NEAR(drawnAt(camera, camera.focus), drawnAt(middle, camera.focus), 1e-9);
+    EXPECT_LT(drawnAt(camera, before), drawnAt(middle, before) - 0.01);
+    EXPECT_GT(drawnAt(camera, behind), drawnAt(middle, behind) + 0.01);
+    const Eigen::Vector3d beside = camera.focus + 2 * camera.right() + camera.up();
+    EXPECT_NEAR(drawnAt(camera, beside), drawnAt(middle, beside), 1e-9) << "all of its plane";
+  }
+}
+
 } // namespace
 } // namespace espalier

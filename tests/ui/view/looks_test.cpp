@@ -55,6 +55,29 @@ TEST_F(LooksTest, DrawsAndPicksNoHiddenNodeNorItsEdges) {
   EXPECT_GT(count({0, 0, 1.5}, test::black), 0);
 }
 
+TEST_F(LooksTest, DrawsForEachEyeIfThatIsAskedFor) {
+  view_.look(StandardView::isometric); // its ends are before and behind the focus
+  const auto seen = [this] {
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view_.isStill(); }));
+    return view_.grab().toImage();
+  };
+  const auto fringes = [](const QImage& image) { // what is red or cyan
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) {
+        const QColor color = image.pixelColor(x, y);
+        if (std::abs(color.red() - color.blue()) > 60) ++count;
+      }
+    return count;
+  };
+  const QImage before = seen();
+  view_.setStereo(true);
+  const QImage stereo = seen();
+  EXPECT_GT(fringes(stereo), fringes(before) + 20);
+  view_.setStereo(false);
+  EXPECT_EQ(seen(), before);
+}
+
 TEST_F(LooksTest, KeepsANodeHiddenWhileItIsEdited) {
   view_.setHiddenNodes({NodeId{2}});
   SkeletonEditor editor(plant_);

@@ -35,7 +35,8 @@ void plants(PlantsFlags flags) {
   if (flags.pipeline.preset.empty()) flags.pipeline.preset = "plot";
   const Threads threads(flags.pipeline.threads);
   const PipelineOptions options = flags.pipeline.options("plant");
-  if (options.methods.contains("plant") && options.methods.at("plant") == "none")
+  const Step& step = stepNamed("plant");
+  if (options.methods.contains(step.name) && isOff(step, options))
     throw WrongUsage(
         "plant.method=none leaves a plot whole, and plants cuts it: leave that out, or "
         "take espalier clean");

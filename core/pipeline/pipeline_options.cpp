@@ -7,7 +7,6 @@
 #include "core/pipeline/typed_value.h"
 
 #include <cmath>
-#include <set>
 #include <sstream>
 
 namespace espalier {
@@ -66,19 +65,11 @@ double checkedValue(const Step& step, const Option& option, double value, const 
 const Option& optionNamed(const Step& step, const PipelineOptions& options,
                           const std::string& name) {
   const Option* found = nullptr;
-  std::set<std::string> names;
   for (const Method& method : step.methods)
-    for (const Option& option : method.options) {
-      names.insert(option.name);
+    for (const Option& option : method.options)
       if (option.name == name && (!found || &method == &chosenMethod(step, options)))
         found = &option;
-    }
-  if (found) return *found;
-  std::string others = "method";
-  for (const std::string& each : names)
-    others += ", " + each;
-  throw ShownError(
-      {Shown::tr("step %1 has no option \"%2\": choose one of %3"), {step.name, name, others}});
+  return found ? *found : optionIn(step, chosenMethod(step, options), name);
 }
 
 /// What is no value, and the line to type instead.
@@ -179,7 +170,8 @@ const Option& optionIn(const Step& step, const Method& method, const std::string
     names += (names.empty() ? "" : ", ") + option.name;
   }
   if (names.empty())
-    throw ShownError({espalier::Shown::tr("method %1 of step %2 has no option \"%3\": it has none"),
+    throw ShownError({espalier::Shown::tr("method %1 of step %2 has no option \"%3\": it has none; "
+                                          "choose a method by %2.method"),
                       {method.name, step.name, name}});
   throw ShownError(
       {espalier::Shown::tr("method %1 of step %2 has no option \"%3\": choose one of %4"),

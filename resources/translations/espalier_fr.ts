@@ -14924,8 +14924,8 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>%1 n’accepte pas «&#xa0;%2&#xa0;»&#xa0;: choisissez parmi %3</translation>
     </message>
     <message>
-        <source>method %1 of step %2 has no option &quot;%3&quot;: it has none</source>
-        <translation>la méthode %1 de l’étape %2 n’a pas d’option «&#xa0;%3&#xa0;»&#xa0;: elle n’en a aucune</translation>
+        <source>method %1 of step %2 has no option &quot;%3&quot;: it has none; choose a method by %2.method</source>
+        <translation>la méthode %1 de l’étape %2 n’a pas d’option «&#xa0;%3&#xa0;»&#xa0;: elle n’en a aucune&#xa0;; choisissez une méthode par %2.method</translation>
     </message>
     <message>
         <source>method %1 of step %2 has no option &quot;%3&quot;: choose one of %4</source>
@@ -15354,10 +15354,6 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>hardly a point lies higher than &quot;from&quot;, %1 above the foot: choose a lower height</source>
         <translation>presque aucun point n’est plus haut que «&#xa0;from&#xa0;», %1 au-dessus du pied&#xa0;: choisissez une hauteur moindre</translation>
-    </message>
-    <message>
-        <source>step %1 has no option &quot;%2&quot;: choose one of %3</source>
-        <translation>l’étape %1 n’a pas d’option «&#xa0;%2&#xa0;»&#xa0;: choisissez parmi %3</translation>
     </message>
 </context>
 <context>

@@ -93,7 +93,7 @@ TEST_F(ReadPartCommands, NamesTheColumnsOfAText) {
 TEST_F(ReadPartCommands, AnEmptyBoxIsRefusedWithWhereThePointsAre) {
   expectRefusal(runProgram({"info", scan_, "--box", "900,900,900,901,901,901"}), 1,
                 {"young_tree.ply: none of its ", " lies in the box from 900, 900, 900 to 901, 901, "
-                                                 "901: they lie from "});
+                                                 "901: a sample of them lies from "});
 }
 
 TEST_F(ReadPartCommands, AreThoseThatReadAScanToWorkOn) {

@@ -69,12 +69,13 @@ TEST(TypedValue, RefusesOtherUnitsWithTheLineToType) {
   EXPECT_THAT(refusalOf("contract.neighbors=6sc"), HasSubstr("write contract.neighbors=6"));
 }
 
-TEST(TypedValue, OfAnOptionThatNoMethodHasNamesThoseThereAre) {
+TEST(TypedValue, OfAnOptionThatNoMethodHasSaysSo) {
   PipelineOptions options;
   for (const char* typed : {"ground.metod=cloth", "ground.metod=6"})
     EXPECT_THAT([&] { options.set(typed); },
                 testing::ThrowsMessage<Error>(
-                    HasSubstr("step ground has no option \"metod\": choose one of method, ")))
+                    HasSubstr("method none of step ground has no option \"metod\": it has none; "
+                              "choose a method by ground.method")))
         << typed;
 }
 

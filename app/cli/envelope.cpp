@@ -143,7 +143,7 @@ std::string listOfKinds() {
 
 void addEnvelope(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "envelope", "Draw a closed surface about a crown, and measure its volume and area");
+      "envelope", "Draw a closed surface about a plant, and measure its volume and area");
   const auto flags = std::make_shared<EnvelopeFlags>();
   command->add_option("PLANT", flags->plant, "A scan, a structure or a project")->required();
   command->add_option("-o,--output", flags->output, "Surface to write, as .ply or .obj");

@@ -4,25 +4,13 @@
 #include "app/cli/terminal.h"
 #include "core/cloud/file_order.h"
 #include "core/io/formats.h"
-#include "core/mtg/mtg_reader.h"
 #include "core/project/point_bytes.h"
+#include "core/project/project_frame.h"
 
 #include <optional>
-#include <sstream>
 #include <utility>
 
 namespace espalier {
-namespace {
-
-std::shared_ptr<const MtgFrame> frameOf(const Project& project) {
-  std::string text = project.document("mtg");
-  if (text.empty()) return nullptr;
-  std::istringstream in(text);
-  Mtg mtg = readMtg(in, project.path().string()).value;
-  return std::make_shared<const MtgFrame>(MtgFrame{std::move(mtg), std::move(text)});
-}
-
-} // namespace
 
 Structure plantIn(const std::string& file) {
   if (!isProject(file)) {

@@ -212,7 +212,7 @@ void addTraits(CLI::App& app) {
       ->type_name("KG")
       ->check(number(1, 2000));
   addEnvelopeKind(*command, "--envelope", flags->envelope,
-                  "Measure a closed surface about the crown, about the points of --scan if there "
+                  "Measure a closed surface about the plant, about the points of --scan if there "
                   "are some; espalier envelope takes options of its kind");
   addNumberFiles(*command, flags->csv, flags->json);
   addReport(*command, flags->report);

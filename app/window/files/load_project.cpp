@@ -5,26 +5,17 @@
 #include "core/base/error.h"
 #include "core/cloud/file_order.h"
 #include "core/io/formats.h"
-#include "core/mtg/mtg_reader.h"
 #include "core/project/content_hash.h"
 #include "core/project/point_bytes.h"
+#include "core/project/project_frame.h"
 #include "ui/document/shown_message.h"
 
 #include <algorithm>
 #include <functional>
-#include <sstream>
 #include <utility>
 
 namespace espalier {
 namespace {
-
-std::shared_ptr<const MtgFrame> frameOf(const Project& project) {
-  std::string text = project.document("mtg");
-  if (text.empty()) return nullptr;
-  std::istringstream in(text);
-  Mtg mtg = readMtg(in, project.path().string()).value;
-  return std::make_shared<const MtgFrame>(MtgFrame{std::move(mtg), std::move(text)});
-}
 
 QString nameOf(const std::filesystem::path& path) {
   return QString::fromStdString(path.string());

@@ -1,5 +1,6 @@
 #include "ui/document/length_unit.h"
 
+#include "core/pipeline/typed_value.h"
 #include "ui/document/number_scale.h"
 
 #include <QCoreApplication>
@@ -40,8 +41,7 @@ LengthUnit unitOfSymbol(const QString& text) {
 }
 
 double metersIn(LengthUnit unit) {
-  if (unit == LengthUnit::millimeter) return 1e-3;
-  return unit == LengthUnit::centimeter ? 1e-2 : 1;
+  return metersIn(symbol(unit).toStdString());
 }
 
 QString formatLength(double length, LengthUnit unit, int digits) {

@@ -16,7 +16,7 @@ enum class LengthUnit { unknown, millimeter, centimeter, meter };
 /// The unit with this symbol; unknown for any other text.
 [[nodiscard]] LengthUnit unitOfSymbol(const QString& symbol);
 
-/// pre: known
+/// 0 if unknown.
 [[nodiscard]] double metersIn(LengthUnit unit);
 
 /// A length as people read it, to `digits` significant digits and no exponent: "12.4 mm".

@@ -113,10 +113,7 @@ PlantMeasureOptions TraitsFlow::options() const {
   return {.up = parts_.document.up(),
           .breastHeight = breastHeightIn(symbol(parts_.document.unit()).toStdString()),
           .light = std::nullopt,
-          .density = {.perCubicMeter = density_,
-                      .meters = parts_.document.unit() == LengthUnit::unknown
-                                    ? 0
-                                    : metersIn(parts_.document.unit())}};
+          .density = {.perCubicMeter = density_, .meters = metersIn(parts_.document.unit())}};
 }
 
 std::string TraitsFlow::densityText() const {

@@ -70,21 +70,25 @@ ReportKeyNumbers keyNumbers(const Parts& parts) {
   const Traits& traits = measures.traits;
   const ReportNumbers& numbers = parts.numbers;
   ReportKeyNumbers key{
-      {{numbers.length(traits.crown.height), ReportText::tr("height"), {}},
+      {{numbers.length(traits.crown.height), ReportText::tr("height"),
+        ReportText::tr("from the lowest node to the highest")},
        {numbers.length(traits.length), ReportText::tr("length of all axes"), {}},
        {numbers.count(traits.axesByOrder.size()), ReportText::tr("orders"), {}},
        {numbers.count(traits.strahler.size()), ReportText::tr("Strahler number"), {}}}};
   if (measures.wood.whole.volume > 0) {
     const QString unit = parts.about.unit;
     const QString volume = numbers.number(measures.wood.whole.volume);
-    const QString interval = measures.volume
-                                 ? ReportText::tr("%1 to %2 in 90 of 100 cases, as radii err")
-                                       .arg(numbers.number(measures.volume->least, 3),
-                                            numbers.number(measures.volume->most, 3))
-                                 : QString();
+    QString bounds;
+    if (measures.volume)
+      bounds = ReportText::tr("%1 to %2 in 90 of 100 cases, as radii err")
+                   .arg(numbers.number(measures.volume->least, 3),
+                        numbers.number(measures.volume->most, 3));
+    else if (measures.volumeUnknown > mostUnknownError)
+      bounds = ReportText::tr("no bounds: how radii err is unknown in %1 of it")
+                   .arg(numbers.percent(measures.volumeUnknown));
     key.numbers.push_back(
         {unit.isEmpty() ? volume : volume + QChar(0x202f) + unit + QStringLiteral("³"),
-         ReportText::tr("volume of wood"), interval});
+         ReportText::tr("volume of wood"), bounds});
   }
   if (measures.light)
     key.numbers.push_back({numbers.share(measures.light->star), ReportText::tr("STAR"),

@@ -30,6 +30,7 @@ PlantMeasures plantMeasures(const Skeleton& plant, const PlantMeasureOptions& op
   measures.radiusLimits = radiusLimits(upright);
   measures.wood = woodAmounts(upright, measures.radiusLimits);
   measures.volume = volumeInterval(upright);
+  measures.volumeUnknown = volumeOfUnknownError(upright);
   measures.density = options.density;
   const StemDiameter stem = stemOfPlant(upright, options.breastHeight);
   measures.stemDiameter = stem.value;

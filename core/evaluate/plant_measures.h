@@ -37,7 +37,8 @@ struct PlantMeasureOptions {
 struct PlantMeasures {
   Traits traits;
   WoodAmounts wood;
-  std::optional<VolumeInterval> volume;   // of the whole wood; none if radii have no intervals
+  std::optional<VolumeInterval> volume;   // of the whole wood; none: too much is unknown
+  double volumeUnknown = 0;               // as volumeOfUnknownError()
   std::vector<double> radiusLimits;       // of the classes of `wood` [L]
   WoodDensity density;                    // as asked
   std::optional<double> stemDiameter;     // at breast height [L]; none: see below

@@ -107,7 +107,11 @@ std::vector<TraitRow> traitRows(const PlantMeasures& measures) {
   addTraits(rows, measures.traits);
   rows.begin(Shown::tr("Wood"));
   rows.add(TraitKind::volume, Shown::tr("volume"), measures.wood.whole.volume,
-           Shown::tr("Edges count as truncated cones"));
+           measures.volumeUnknown > mostUnknownError
+               ? Shown::tr("Edges count as truncated cones. It has no bounds: how radii err is "
+                           "known of those that a reconstruction found or a hand typed, which "
+                           "here are under nine tenths of the volume")
+               : Shown::tr("Edges count as truncated cones"));
   if (measures.volume) {
     rows.add(
         TraitKind::volume, Shown::tr("volume, at least"), measures.volume->least,

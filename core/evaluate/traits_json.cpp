@@ -134,6 +134,7 @@ nlohmann::ordered_json toJson(const PlantMeasures& measures) {
   const std::optional<VolumeInterval>& volume = measures.volume;
   wood["volume_interval"] =
       volume ? Json{{"least", volume->least}, {"most", volume->most}} : Json();
+  wood["volume_of_unknown_error"] = measures.volumeUnknown;
   return {{"traits", toJson(measures.traits)},
           {"breast_height",
            {{"diameter", diameter ? Json(*diameter) : Json()},

@@ -15,7 +15,7 @@ namespace espalier {
 [[nodiscard]] nlohmann::ordered_json toJson(const WoodAmounts& wood);
 
 /// All that is measured on one plant: traits, wood and light, as there of one of the two;
-/// wood.volume_interval.{least,most}, null where radii have no intervals;
+/// wood.volume_interval.{least,most} or null, wood.volume_of_unknown_error as there;
 /// breast_height.{diameter,missing}; biomass.{density,whole,by_order[],by_radius[],by_class[]} in
 /// kg, null where the density of the wood is not known; warnings[].
 [[nodiscard]] nlohmann::ordered_json toJson(const PlantMeasures& measures);

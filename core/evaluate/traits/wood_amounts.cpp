@@ -54,23 +54,31 @@ double volumeAt(Skeleton plant, float RadiusOrigin::*bound) {
 } // namespace
 
 std::optional<VolumeInterval> volumeInterval(const Skeleton& skeleton) {
-  constexpr double leastKnown = 0.9; // of the volume
-  constexpr double together = 0.8;   // of the logarithms
+  constexpr double together = 0.8; // of the logarithms
   double volume = 0;
-  double known = 0;
   bool hasInterval = false;
   for (const NodeId id : skeleton.ids()) {
-    const RadiusOrigin& origin = skeleton[id].origin;
-    const double own = volumeOf(skeleton, id);
-    volume += own;
-    if (origin.hasInterval() || origin.source == RadiusSource::byHand) known += own;
-    hasInterval = hasInterval || origin.hasInterval();
+    volume += volumeOf(skeleton, id);
+    hasInterval = hasInterval || skeleton[id].origin.hasInterval();
   }
-  if (!hasInterval || !(volume > 0) || known < leastKnown * volume) return std::nullopt;
+  if (!hasInterval || !(volume > 0) || volumeOfUnknownError(skeleton) > mostUnknownError)
+    return std::nullopt;
   const auto bound = [&](float RadiusOrigin::*which) {
     return volume * std::pow(volumeAt(skeleton, which) / volume, together);
   };
   return VolumeInterval{bound(&RadiusOrigin::least), bound(&RadiusOrigin::most)};
+}
+
+double volumeOfUnknownError(const Skeleton& skeleton) {
+  double volume = 0;
+  double unknown = 0;
+  for (const NodeId id : skeleton.ids()) {
+    const RadiusOrigin& origin = skeleton[id].origin;
+    const double own = volumeOf(skeleton, id);
+    volume += own;
+    if (!origin.hasInterval() && origin.source != RadiusSource::byHand) unknown += own;
+  }
+  return volume > 0 ? unknown / volume : 0;
 }
 
 std::vector<double> radiusLimits(const Skeleton& skeleton) {

@@ -60,6 +60,9 @@ TEST(PlantReport, ShowsAllOfOnePlant) {
 TEST(PlantReport, SaysBetweenWhichBoundsTheVolumeLies) {
   PlantReportData made = data();
   EXPECT_FALSE(htmlOf(plantReport(made, {}, about())).contains("in 90 of 100 cases"));
+  made.measures.volumeUnknown = 0.25;
+  EXPECT_TRUE(htmlOf(plantReport(made, {}, about()))
+                  .contains("no bounds: how radii err is unknown in 25.0"));
   made.measures.volume = VolumeInterval{0.0123, 0.0456};
   EXPECT_TRUE(htmlOf(plantReport(made, {}, about()))
                   .contains("0.0123 to 0.0456 in 90 of 100 cases, as radii err"));

@@ -31,11 +31,13 @@ TEST(WoodAmounts, AreThoseOfTruncatedCones) {
 TEST(WoodAmounts, HaveAnIntervalWhereRadiiHave) {
   Skeleton wood = plant();
   EXPECT_FALSE(volumeInterval(wood)) << "of radii nothing is known of";
+  EXPECT_DOUBLE_EQ(volumeOfUnknownError(wood), 1);
   for (const NodeId id : wood.ids())
     wood.setRadius(id, wood[id].radius, {RadiusSource::measured, 0.5F, 2});
   const double volume = woodAmounts(wood, {}).whole.volume;
   const auto interval = volumeInterval(wood);
   ASSERT_TRUE(interval);
+  EXPECT_EQ(volumeOfUnknownError(wood), 0);
   EXPECT_NEAR(interval->least, volume * std::pow(0.25, 0.8), 1e-9);
   EXPECT_NEAR(interval->most, volume * std::pow(4, 0.8), 1e-9);
 }
@@ -44,12 +46,13 @@ TEST(WoodAmounts, TakeRadiiSetByHandAsTheyAre) {
   Skeleton wood = plant();
   wood.setRadius(NodeId{2}, 0.5, {RadiusSource::measured, 0.5F, 2});
   EXPECT_FALSE(volumeInterval(wood)) << "most of the wood is of unknown radii";
+  const double trunk = std::numbers::pi / 3 * 3 * (4 + 2 + 1);
+  const double volume = woodAmounts(wood, {}).whole.volume;
+  EXPECT_NEAR(volumeOfUnknownError(wood), trunk / volume, 1e-12);
   for (const NodeId id : {NodeId{0}, NodeId{1}})
     wood.setRadius(id, wood[id].radius, {.source = RadiusSource::byHand});
   const auto interval = volumeInterval(wood);
   ASSERT_TRUE(interval);
-  const double trunk = std::numbers::pi / 3 * 3 * (4 + 2 + 1);
-  const double volume = woodAmounts(wood, {}).whole.volume;
   EXPECT_NEAR(interval->least,
               volume * std::pow((trunk + std::numbers::pi * 0.0625 * 4) / volume, 0.8), 1e-9);
 }

@@ -7,6 +7,9 @@
 #include "core/pipeline/plants_of_state.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace espalier {
 namespace {
@@ -31,6 +34,33 @@ void addClothOptions(OptionTable<Options>& table, Path... path) {
             path..., &GroundOptions::rigidness);
 }
 
+/// Whether the ground was set aside before: under most of what the cloth touches are points that
+/// were. `isGround` has an entry per standing point.
+bool isGroundAside(const PipelineState& state, const StandingPoints& standing,
+                   const GroundSurface& ground, const std::vector<bool>& isGround) {
+  constexpr double most = 0.5; // of the cells that hold ground
+  std::vector<bool> isKept(state.isLeftOut.size());
+  for (const Eigen::Index column : standing.columns)
+    isKept[static_cast<std::size_t>(column)] = true;
+  const StandingPoints all = allStandingOf(state);
+  const std::vector<float> heights = heightsAbove(ground, all.positions);
+  const auto cellOf = [&](const Eigen::Vector3f& place) {
+    const Eigen::Array2d cell =
+        ((place.head<2>().cast<double>() - ground.corner) / ground.cell).array().floor();
+    return std::pair{cell.x(), cell.y()};
+  };
+  std::set<std::pair<double, double>> below;
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    if (heights[i] < 0 && !isKept[static_cast<std::size_t>(all.columns[i])])
+      below.insert(cellOf(all.positions.col(static_cast<Eigen::Index>(i))));
+  std::set<std::pair<double, double>> touched;
+  for (std::size_t i = 0; i < isGround.size(); ++i)
+    if (isGround[i]) touched.insert(cellOf(standing.positions.col(static_cast<Eigen::Index>(i))));
+  const auto covered = std::ranges::count_if(
+      touched, [&](const std::pair<double, double>& cell) { return below.contains(cell); });
+  return static_cast<double>(covered) > most * static_cast<double>(touched.size());
+}
+
 Method groundMethod() {
   using Options = GroundOptions;
   OptionTable<Options> table;
@@ -53,11 +83,15 @@ Method groundMethod() {
             leaveOutFarPoints(state);
             const StandingPoints standing = standingOf(state);
             const Options options = table.with(values);
-            const std::vector<float> heights = heightsAbove(
-                groundBelow(standing.positions, options, progress), standing.positions);
+            const GroundSurface ground = groundBelow(standing.positions, options, progress);
+            const std::vector<float> heights = heightsAbove(ground, standing.positions);
+            std::vector<bool> isGround(heights.size());
             for (std::size_t i = 0; i < heights.size(); ++i)
-              if (static_cast<double>(heights[i]) <= options.width())
-                state.isLeftOut[static_cast<std::size_t>(standing.columns[i])] = true;
+              isGround[i] = static_cast<double>(heights[i]) <= options.width();
+            if (isGroundAside(state, standing, ground, isGround))
+              state.notes.push_back({Shown::tr("the ground was set aside before")});
+            else
+              leaveOut(state, standing.columns, isGround);
           }};
 }
 

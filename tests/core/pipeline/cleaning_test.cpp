@@ -1,8 +1,10 @@
 // The steps that clean: in the pipeline, and cutting a plot.
 #include "core/base/error.h"
 #include "core/pipeline/cleaned_scan.h"
+#include "core/pipeline/cleaning.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/pipeline_start.h"
+#include "core/pipeline/plant_scale.h"
 #include "core/pipeline/presets.h"
 #include "core/pipeline/region_preview.h"
 #include "core/simulate/plot.h"
@@ -125,6 +127,28 @@ TEST(Cleaning, OfAPlotThatScattersWideLeavesOutItsGround) {
   asIfExact.set("plant.noise=0");
   EXPECT_LT(sharesRight(noisy, cutPlot(noisy.cloud, {}, asIfExact)).second, 0.96)
       << "the cloth lies on the lowest points";
+}
+
+// By hand it is easily asked for twice. A cloth then touches branches, and they would be gone.
+TEST(Cleaning, FindsNoGroundAboveTheGroundThatWasSetAside) {
+  const PointCloud& cloud = *plot().cloud;
+  const ChosenMethod cloth =
+      chosenFor(stepNamed("ground"), plotPreset(), scaleOf(cloud, {}, UpAxis::z));
+  const auto groundWithout = [&](const PointSet& leftOut) {
+    return leftOutBy(*cloth.method, cloth.values, plot().cloud, {.leftOut = leftOut});
+  };
+  const PointSet ground = groundWithout({}).value;
+  ASSERT_GT(ground.size(), 10'000U);
+  const Imported<PointSet> again = groundWithout(ground);
+  EXPECT_TRUE(again.value.isEmpty());
+  ASSERT_EQ(again.notes.size(), 1U);
+  EXPECT_EQ(inEnglish(again.notes.front()), "the ground was set aside before");
+
+  std::vector<Eigen::Index> some; // as strays that were set aside first, anywhere
+  for (Eigen::Index i = 0; i < cloud.size(); i += 50)
+    some.push_back(i);
+  const PointSet strays = PointSet::of(some);
+  EXPECT_GT(groundWithout(strays).value.size(), 95 * ground.size() / 100);
 }
 
 TEST(Cleaning, KeepsThePlantAtTheRootThatWasChosen) {

@@ -198,9 +198,11 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
   parts_.make<CleanFlow>(
       CleanFlow::Parts{document_, queue_, points, {*actions_, settings_, *this}});
   parts_.make<PlotFlow>(
-      PlotFlow::Parts{document_, queue_, {*actions_, settings_, *this}, [&pipeline] {
-                        return pipeline.options();
-                      }});
+      PlotFlow::Parts{document_,
+                      queue_,
+                      {*actions_, settings_, *this},
+                      [&pipeline] { return pipeline.options(); },
+                      [this](const QString& folder) { parts_.get<WorklistFlow>().list(folder); }});
   parts_.make<SavedViews>(SavedViews::Parts{*view_, parts_.get<ViewOptions>(),
                                             parts_.get<ShownFlow>(), *actions_, *this});
   auto& distances = parts_.get<ScanDistances>();

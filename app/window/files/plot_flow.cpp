@@ -159,14 +159,16 @@ void PlotFlow::write(const QString& folder) {
                      files](const Progress& progress) {
     return writePlot(*cloud, plants, files, progress);
   };
-  job_.start(tr("Writing projects"), work,
-             [this, folder, words = words_](const std::vector<PlantFile>& written) {
-               words_ = words;
-               emit reported(
-                   {.text = written.size() == 1
-                                ? tr("Wrote one project to %1").arg(folder)
-                                : tr("Wrote %1 projects to %2").arg(written.size()).arg(folder)});
-             });
+  job_.start(
+      tr("Writing projects"), work,
+      [this, folder, words = words_](const std::vector<PlantFile>& written) {
+        words_ = words;
+        emit reported(
+            {.text = written.size() == 1
+                         ? tr("Wrote one project to %1").arg(folder)
+                         : tr("Wrote %1 projects to %2").arg(written.size()).arg(folder),
+             .actions = {{tr("Show as Worklist"), [this, folder] { parts_.list(folder); }}}});
+      });
 }
 
 void PlotFlow::forget() {

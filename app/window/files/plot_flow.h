@@ -27,7 +27,8 @@ public:
     PlantDocument& document;
     JobQueue& queue;
     PanelDock::Parts window;
-    std::function<PipelineOptions()> options; // as the form has them
+    std::function<PipelineOptions()> options;        // as the form has them
+    std::function<void(const QString& folder)> list; // shows its plants as the worklist
   };
   explicit PlotFlow(Parts parts);
 

@@ -111,7 +111,7 @@ void WorklistFlow::chooseFolder() {
   const QString folder = QFileDialog::getExistingDirectory(
       &parts_.window.window, tr("Choose the folder of the worklist"),
       place_.isEmpty() ? parts_.window.settings.value(folderKey).toString() : place_);
-  if (!folder.isEmpty()) take(folder);
+  if (!folder.isEmpty()) list(folder);
 }
 
 void WorklistFlow::chooseTable() {
@@ -119,10 +119,10 @@ void WorklistFlow::chooseTable() {
       &parts_.window.window, tr("Choose the table of the worklist"),
       place_.isEmpty() ? parts_.window.settings.value(folderKey).toString() : place_,
       tr("Tables (*.csv *.tsv *.txt)") + ";;" + tr("All files (*)"));
-  if (!table.isEmpty()) take(table);
+  if (!table.isEmpty()) list(table);
 }
 
-void WorklistFlow::take(const QString& place) {
+void WorklistFlow::list(const QString& place) {
   read_.cancel();
   place_ = place;
   parts_.window.settings.setValue(placeKey, place);

@@ -39,6 +39,9 @@ public:
   explicit WorklistFlow(const Parts& parts);
   void beginWork() override;
 
+  /// Takes the plants of a folder or of a table for the worklist, and shows it.
+  void list(const QString& place);
+
 private:
   using Pair = std::pair<std::filesystem::path, std::filesystem::path>; // of projects, in order
   struct Compared {
@@ -48,7 +51,6 @@ private:
   void addActions();
   void chooseFolder();
   void chooseTable();
-  void take(const QString& place);
   void open(const QString& file);
   void openNext();
   void compareWithSecond();

@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTableView>
 #include <QTableWidget>
 #include <QTest>
 
@@ -75,6 +76,10 @@ TEST_F(PlotTest, WritesAProjectOfEachPlantWithACheckMark) {
                                           "plot_2.espalier", "plot_2.ply"}));
   EXPECT_EQ(message(), "Wrote 2 projects to " + folder);
   EXPECT_EQ(table().item(1, 0)->checkState(), Qt::Unchecked) << "as it was chosen";
+  EXPECT_EQ(find<QPushButton>("banner_action").text(), "Show as Worklist");
+  clickButton("banner_action");
+  const auto& listed = *find<QTableView>("worklist").model();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return listed.rowCount() == 2; }, patience));
   const auto scan = Project::open(toPath(folder + "/plot_2.espalier"), Access::readOnly).findScan();
   ASSERT_TRUE(scan);
   table().setCurrentCell(2, 1);

@@ -67,6 +67,7 @@ PreviewFlow::PreviewFlow(const Parts& parts) : parts_(parts) {
     rest_.stop();
     isAll_ = isAllOwed_ = false;
     parts_.pipeline.showFailed(message);
+    hasFailed_ = true;
     emit failed(message);
     emit changed();
   });
@@ -251,15 +252,16 @@ void PreviewFlow::askAll() {
 }
 
 void PreviewFlow::show(const Outcome& outcome) {
+  if (std::exchange(hasFailed_, false)) emit outdated();
   shown_ = outcome;
-  colors_.reset();
+  drawn_.reset();
   draw();
   emit changed();
 }
 
-void PreviewFlow::setColors(std::optional<NodeColors> colors) {
-  if (!shown_ || (!colors && !colors_)) return;
-  colors_ = std::move(colors);
+void PreviewFlow::setDrawn(std::optional<Drawn> drawn) {
+  if (!shown_ || (!drawn && !drawn_)) return;
+  drawn_ = std::move(drawn);
   draw();
 }
 
@@ -272,7 +274,10 @@ bool PreviewFlow::isOther() const {
 void PreviewFlow::draw() {
   if (!isOther()) return parts_.view.setState(Side::right, std::nullopt);
   PlantState state = shown_->shownAs(name());
-  state.colors = colors_;
+  if (drawn_) {
+    state.skeleton = drawn_->skeleton;
+    state.colors = drawn_->colors;
+  }
   state.replacesPoints = movesPoints_;
   parts_.view.setState(Side::right, state);
 }

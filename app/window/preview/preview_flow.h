@@ -70,7 +70,13 @@ public:
   [[nodiscard]] bool isOther() const;
   /// Whether contracted points are shown in place of those scanned: they are what changes.
   [[nodiscard]] bool movesPoints() const { return movesPoints_; }
-  void setColors(std::optional<NodeColors> colors); // of its nodes; none: as usual
+  /// Another skeleton that is drawn in place of the one shown, with its colors.
+  struct Drawn {
+    Skeleton skeleton;
+    NodeColors colors;
+  };
+  void setDrawn(std::optional<Drawn> drawn); // none: as usual
+  [[nodiscard]] const std::optional<Drawn>& drawn() const { return drawn_; }
 
   void askAgain(); // other choices are shown, not by hand
 
@@ -126,9 +132,10 @@ private:
   std::shared_ptr<const RegionPreviewer> previewer_; // of the scan; null: not needed yet
   std::optional<Eigen::Vector3d> placed_;            // center of the ball; none: where one looks
   std::optional<Outcome> shown_;
-  std::optional<NodeColors> colors_;
+  std::optional<Drawn> drawn_;
   PipelineOptions before_;    // the preview
   PipelineOptions previewed_; // root and up that `previewer_` is for
+  bool hasFailed_ = false;    // what was asked for last: a message says why
   bool isDropping_ = false;
   bool isAll_ = false;         // what runs is of the whole scan
   bool isAllOwed_ = false;     // it comes once what runs is done

@@ -2,11 +2,12 @@
 
 #include "app/report/comparison_colors.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/frame/key_hints.h"
 #include "app/window/preview/options_text.h"
 #include "app/window/preview/reconstruct_flow.h"
 #include "app/window/view/two_views_flow.h"
 #include "core/base/error.h"
-#include "core/evaluate/differences/differences.h"
+#include "core/evaluate/differences/with_missed.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/blend_bar.h"
 #include "ui/view/plant_view.h"
@@ -89,8 +90,8 @@ void StatesFlow::addActions() {
   actions["compare_alone"]->setChecked(true);
   QAction* color = actions.add({.id = "color_state_differences",
                                 .text = tr("Color What Differs"),
-                                .help = tr("Colors the skeletons of A and the preview by where "
-                                           "they differ"),
+                                .help = tr("Colors the preview by where it differs from A, or from "
+                                           "the plant, and adds what it lacks"),
                                 .isCheckable = true,
                                 .menu = "preview/compare"},
                                {});
@@ -148,7 +149,8 @@ void StatesFlow::keepAsA() {
   if (shown && (shown->within || parts_.preview.isBusy()))
     throw Error(tr("the preview is not of the whole scan yet: wait a moment").toStdString());
   keep(shown ? *shown : plant());
-  emit noted(tr("Kept as A: change a step, and compare in the divided view"));
+  emit noted(withKeys(tr("Kept as A: change a step   {compare_divided} compare in a divided view"),
+                      parts_.actions));
 }
 
 void StatesFlow::keep(const Outcome& outcome) {
@@ -220,15 +222,17 @@ void StatesFlow::colorDifferences() {
                                                             : plant().skeleton;
   if (before == nullptr || before->isEmpty()) {
     differences_.cancel();
-    parts_.preview.setColors(std::nullopt);
+    parts_.preview.setDrawn(std::nullopt);
     return;
   }
   differences_.start(
-      [now = shown->skeleton, before, tolerance = differing * parts_.document.scan()->spacing()](
-          const Progress& progress) { return differences(*now, *before, tolerance, progress); },
-      [this](const Differences& found) {
-        parts_.preview.setColors(
-            comparisonColors(found.ofResult, kept_ ? tr("A") : tr("the plant")));
+      [now = shown->skeleton, before,
+       tolerance = differing * parts_.document.scan()->spacing()](const Progress& progress) {
+        return withMissed(*now, *before, differences(*now, *before, tolerance, progress));
+      },
+      [this](WithMissed both) {
+        NodeColors colors = comparisonColors(both.kinds, kept_ ? tr("A") : tr("the plant"));
+        parts_.preview.setDrawn(PreviewFlow::Drawn{std::move(both.skeleton), std::move(colors)});
       });
 }
 

@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "core/evaluate/differences/differences.h"
+#include "core/evaluate/differences/with_missed.h"
 #include "core/evaluate/match/tolerance_curve.h"
 #include "core/evaluate/registration/registration.h"
 #include "core/io/formats.h"
@@ -36,6 +37,25 @@ TEST(Differences, FindsNoneInThePlantItself) {
   EXPECT_EQ(found.missed, 0);
   EXPECT_EQ(found.invented, 0);
   EXPECT_NEAR(found.matchedInResult, found.matchedInReference, 1e-9);
+}
+
+TEST(Differences, AddWhatIsMissedToWhatIsDrawn) {
+  const auto [plant, trunk, branch] = test::trunkAndBranch();
+  const Skeleton result = test::edited(
+      plant, [&, first = branch[0]](SkeletonEditor& editor) { removeSubtree(editor, first); });
+  const WithMissed both = withMissed(result, plant, differences(result, plant, tolerance));
+  ASSERT_EQ(both.skeleton.size(), result.size() + branch.size() + 1) << "and where it leaves";
+  ASSERT_EQ(both.kinds.size(), both.skeleton.idEnd());
+  EXPECT_EQ(both.skeleton.roots(), result.roots());
+  double missed = 0;
+  for (const NodeId id : both.skeleton.ids()) {
+    const Node& node = both.skeleton[id];
+    EXPECT_TRUE(indexOf(id) >= result.idEnd() || node == result[id]);
+    if (node.parent && both.kinds[indexOf(id)] == Difference::missed)
+      missed += (node.position - both.skeleton[*node.parent].position).norm();
+  }
+  EXPECT_DOUBLE_EQ(missed, 4);
+  EXPECT_EQ(withMissed(plant, plant, differences(plant, plant, tolerance)).skeleton, plant);
 }
 
 TEST(Differences, ListsWhatIsMissedAndWhereItBelongs) {

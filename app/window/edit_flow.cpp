@@ -40,6 +40,8 @@ void EditFlow::join(const Later& later) {
   later_.emplace(later);
   connect(&later.registration, &RegistrationFlow::changed, this, &EditFlow::refreshHistory);
   connect(&later.review, &ReviewFlow::takenChanged, this, &EditFlow::refreshHistory);
+  connect(&later.preview, &PreviewFlow::changed, this, &EditFlow::refreshHistory);
+  connect(actions_["compare_alone"], &QAction::toggled, this, &EditFlow::refreshHistory);
   connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &EditFlow::noteStep);
 }
 
@@ -80,8 +82,13 @@ void EditFlow::refreshHistory() {
   redo->setEnabled(!isRegistering && stack.canRedo());
   const QString undone = hasTaken ? tr("Take points for no wood") : stack.undoText();
   const QString redone = stack.redoText();
-  undo->setText(undone.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(undone));
-  redo->setText(redone.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(redone));
+  const QString drop = tr("Drop the &Preview");
+  undo->setText(endsPreview(stack.index() - 1) ? drop
+                : undone.isEmpty()             ? tr("&Undo")
+                                               : tr("&Undo: %1").arg(undone));
+  redo->setText(endsPreview(stack.index()) ? drop
+                : redone.isEmpty()         ? tr("&Redo")
+                                           : tr("&Redo: %1").arg(redone));
 }
 
 void EditFlow::undo() {
@@ -90,19 +97,21 @@ void EditFlow::undo() {
   if (!editing.isPending() && later_->asking.isRestShown()) return later_->asking.stopAsking();
   if (!editing.isPending() && later_->review.hasTakenPoints())
     return later_->review.takePointsBack();
-  if (editing.isPending() || !endsPreview(document_.undoStack().index() - 1)) editing.undo();
+  if (editing.isPending() || !endsPreview(document_.undoStack().index() - 1) ||
+      !later_->preview.drop())
+    editing.undo();
 }
 
 void EditFlow::redo() {
   Editing& editing = later_->editing;
-  if (editing.isPending() || !endsPreview(document_.undoStack().index())) editing.redo();
+  if (editing.isPending() || !endsPreview(document_.undoStack().index()) || !later_->preview.drop())
+    editing.redo();
 }
 
 /// A step of a plant that is behind a preview drops that first: one sees what is undone.
-bool EditFlow::endsPreview(int step) {
+bool EditFlow::endsPreview(int step) const {
   const bool isThere = step >= 0 && step < document_.undoStack().count();
-  return isThere && document_.isHeld() && !document_.step(step).delta.isEmpty() &&
-         later_->preview.drop();
+  return isThere && document_.isHeld() && !document_.step(step).delta.isEmpty();
 }
 
 void EditFlow::leave() {

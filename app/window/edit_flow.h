@@ -41,7 +41,7 @@ private:
   void undo();
   void redo();
   void leave();
-  [[nodiscard]] bool endsPreview(int step); // of the undo stack
+  [[nodiscard]] bool endsPreview(int step) const; // of the undo stack: no more than that
   void noteStep(int index);
 
   PlantDocument& document_;

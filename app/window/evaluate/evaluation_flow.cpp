@@ -150,6 +150,7 @@ void EvaluationFlow::keepTexts() {
 
 void EvaluationFlow::setMade(std::optional<PipelineOptions> options) {
   report_->setMade(std::move(options));
+  letGoOfPlace(); // another run is not an edit: it is laid as it would be alone
 }
 
 void EvaluationFlow::setChoices(std::vector<ChoiceRecord> records) {

@@ -17,6 +17,7 @@
 #include <QElapsedTimer>
 #include <QUndoStack>
 
+#include <algorithm>
 #include <iterator>
 #include <sstream>
 #include <utility>
@@ -63,10 +64,7 @@ ReconstructFlow::ReconstructFlow(const Parts& parts)
   });
   connect(&jobs_, &JobSlot::finished, this, [this] { isRunning_ = false; });
   for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::skeletonReplaced})
-    connect(&document_, signal, this, [this] {
-      notes_.clear();
-      setRun({});
-    });
+    connect(&document_, signal, this, &ReconstructFlow::forgetRuns);
   connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &ReconstructFlow::refreshUsed);
 }
 
@@ -148,15 +146,15 @@ PipelinePanel::StepTexts ReconstructFlow::stepTexts() const {
 }
 
 std::string ReconstructFlow::usedText() const {
-  if (!isDone_) return {};
+  if (used_ == nullptr) return {};
   std::ostringstream text;
-  text << static_cast<std::uint64_t>(run_->made) << ' ' << run_->last << '\n'
-       << keptText(run_->options);
+  text << static_cast<std::uint64_t>(used_->made) << ' ' << used_->last << '\n'
+       << keptText(used_->options);
   return text.str();
 }
 
 void ReconstructFlow::setUsed(const std::string& text) {
-  if (text.empty()) return setRun({});
+  if (text.empty()) return forgetRuns();
   std::istringstream in(text);
   std::string line;
   std::getline(in, line);
@@ -165,12 +163,13 @@ void ReconstructFlow::setUsed(const std::string& text) {
   std::istringstream(line) >> made >> run.last;
   run.made = StepId{made};
   run.options = keptOptions({std::istreambuf_iterator<char>(in), {}});
-  setRun(std::move(run));
+  forgetRuns();
+  add(std::move(run));
 }
 
 void ReconstructFlow::showUsed() const {
-  if (isDone_)
-    panel_.showMadeWith(run_->options, stepTexts(), run_->last);
+  if (used_ != nullptr)
+    panel_.showMadeWith(used_->options, stepTexts(), used_->last);
   else
     panel_.showIdle();
 }
@@ -179,15 +178,34 @@ void ReconstructFlow::showDone(const std::string& last) const {
   panel_.showDone(stepTexts(), last);
 }
 
-void ReconstructFlow::setRun(std::optional<Run> run) {
-  run_ = std::move(run);
-  isDone_ = false;
+/// What was undone before can no longer be redone.
+void ReconstructFlow::add(Run run) {
+  used_ = nullptr;
+  std::erase_if(runs_, [this](const Run& each) { return !document_.isDone(each.made); });
+  runs_.push_back(std::move(run));
   refreshUsed();
 }
 
+void ReconstructFlow::forgetRuns() {
+  const bool wasUsed = std::exchange(used_, nullptr) != nullptr;
+  runs_.clear();
+  notes_.clear();
+  if (wasUsed) emit usedChanged();
+}
+
 void ReconstructFlow::refreshUsed() {
-  const bool isDone = run_ && document_.isDone(run_->made);
-  if (std::exchange(isDone_, isDone) != isDone) emit usedChanged();
+  const auto last = std::find_if(runs_.rbegin(), runs_.rend(),
+                                 [this](const Run& run) { return document_.isDone(run.made); });
+  const Run* used = last == runs_.rend() ? nullptr : &*last;
+  if (std::exchange(used_, used) == used) return;
+  if (used_ != nullptr) notes_ = used_->notes;
+  emit usedChanged();
+}
+
+QString ReconstructFlow::nameOf(const PipelineOptions& options) const {
+  const QString change =
+      shortChangeText({}, options, document_.scale(), symbol(document_.unit()), 100);
+  return change.isEmpty() ? tr("Reconstruct") : tr("Reconstruct: %1").arg(change);
 }
 
 void ReconstructFlow::show(const Reconstruction& result, const Step* last,
@@ -209,13 +227,13 @@ void ReconstructFlow::show(const Reconstruction& result, const Step* last,
     emit done(tr("%1 done in %2 s").arg(shownText(last->label), time), end);
     return;
   }
-  const StepId made = document_.reconstruct(tr("Reconstruct"), *result.skeleton, result.contracted);
+  const StepId made = document_.reconstruct(nameOf(options), *result.skeleton, result.contracted);
   const std::size_t nodes = document_.skeleton().size();
   emit done((nodes == 1 ? tr("1 node reconstructed in %1 s").arg(time)
                         : tr("%1 nodes reconstructed in %2 s").arg(formatCount(nodes), time)) +
                 said,
             end);
-  if (nodes > 0) setRun(Run{options, end, made});
+  if (nodes > 0) add({.options = options, .last = end, .made = made, .notes = notes_});
 }
 
 } // namespace espalier

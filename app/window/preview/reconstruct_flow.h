@@ -6,6 +6,7 @@
 
 #include <QString>
 
+#include <list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -34,9 +35,11 @@ public:
   void setEnabled(bool isEnabled) override;
   void setPlantShown(bool isShown) override;
   [[nodiscard]] const std::shared_ptr<SharedPipeline>& pipeline() const { return pipeline_; }
-  [[nodiscard]] bool isUsedKnown() const { return isDone_; }
-  /// What the skeleton was made with; as the rules say if that is not known, or undone.
-  [[nodiscard]] PipelineOptions used() const { return isDone_ ? run_->options : PipelineOptions(); }
+  [[nodiscard]] bool isUsedKnown() const { return used_ != nullptr; }
+  /// What the skeleton was made with; as the rules say if that is not known.
+  [[nodiscard]] PipelineOptions used() const {
+    return used_ != nullptr ? used_->options : PipelineOptions();
+  }
   /// The same, and which run it was, as a text; empty if it is not known.
   [[nodiscard]] std::string usedText() const;
   /// How long steps took, and what they said of their results, for the panel of the pipeline.
@@ -55,8 +58,9 @@ private:
   /// One that made a skeleton.
   struct Run {
     PipelineOptions options;
-    std::string last; // its last step; empty: of all
-    StepId made = {}; // what it is in the history
+    std::string last;                          // its last step; empty: of all
+    StepId made = {};                          // what it is in the history
+    std::map<std::string, QString> notes = {}; // of its steps, by name
   };
   /// @param last  the step to end with; none: the last there is. Before the skeleton, the one there
   ///              is stays, and has other contracted points.
@@ -67,17 +71,19 @@ private:
   [[nodiscard]] bool asksFirst(const Step* last);
   void show(const Reconstruction& result, const Step* last, const PipelineOptions& options,
             double seconds);
-  void setRun(std::optional<Run> run);
+  void add(Run run);
+  void forgetRuns();
   void refreshUsed();
+  [[nodiscard]] QString nameOf(const PipelineOptions& options) const; // of a run, in the history
 
   PlantDocument& document_;
   JobSlot& jobs_;
   ActionSet& actions_;
   PipelinePanel& panel_;
   std::shared_ptr<SharedPipeline> pipeline_; // keeps the results of steps
-  std::optional<Run> run_;                   // the last
-  std::map<std::string, QString> notes_;     // of its steps, by name
-  bool isDone_ = false;                      // it is not undone
+  std::list<Run> runs_;                      // of the history, the last behind
+  const Run* used_ = nullptr;                // the last that is not undone; null: there is none
+  std::map<std::string, QString> notes_;     // of the steps that ran last, by name
   bool isRunning_ = false;
   bool isEnabled_ = true;
 };

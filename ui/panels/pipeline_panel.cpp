@@ -118,10 +118,11 @@ PipelineOptions PipelinePanel::options() const {
 }
 
 void PipelinePanel::setOptions(const PipelineOptions& options) {
+  const PipelineOptions before = this->options();
   for (StepForm* step : steps_)
     step->choose(options);
   showOptional();
-  markStale(steps_.front());
+  markStaleSince(before);
   emit replaced();
 }
 
@@ -158,8 +159,14 @@ void PipelinePanel::showMadeWith(const PipelineOptions& made, const StepTexts& t
   const PipelineOptions now = options();
   if (now.up != made.up) markStale(steps_.front());
   if (now.root != made.root) markStale(firstFromRoot());
+  markStaleSince(made);
+}
+
+/// From the first step on that is set otherwise than it was.
+void PipelinePanel::markStaleSince(const PipelineOptions& before) {
+  const PipelineOptions now = options();
   const auto changed = std::ranges::find_if(
-      steps_, [&](const StepForm* form) { return !isSameIn(form->step(), now, made); });
+      steps_, [&](const StepForm* form) { return !isSameIn(form->step(), now, before); });
   if (changed != steps_.end()) markStale(*changed);
 }
 

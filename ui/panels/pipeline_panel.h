@@ -79,6 +79,7 @@ private:
   void takeRoot();
   void takeUp();
   void markStale(const StepForm* from);
+  void markStaleSince(const PipelineOptions& before);
 
   PlantDocument& document_;
   QScrollArea* scroll_;

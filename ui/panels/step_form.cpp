@@ -2,6 +2,7 @@
 
 #include "ui/document/shown_text.h"
 #include "ui/panels/focus_keys.h"
+#include "ui/panels/label_role.h"
 #include "ui/panels/method_form.h"
 #include "ui/panels/option_field.h"
 
@@ -20,9 +21,9 @@
 namespace espalier {
 
 StepForm::StepForm(const Step& step, int number, QWidget* parent)
-    : QWidget(parent), step_(step), header_(new QToolButton(this)), note_(new QLabel(this)),
-      state_(new QLabel(this)), run_(new QToolButton(this)), body_(new QWidget(this)),
-      column_(new QVBoxLayout(body_)), method_(new QComboBox(body_)) {
+    : QWidget(parent), step_(step), header_(new QToolButton(this)), count_(new QLabel(this)),
+      note_(new QLabel(this)), state_(new QLabel(this)), run_(new QToolButton(this)),
+      body_(new QWidget(this)), column_(new QVBoxLayout(body_)), method_(new QComboBox(body_)) {
   setObjectName("step_" + QString::fromStdString(step.name));
   header_->setText(number == 0 ? shownText(step.label)
                                : QStringLiteral("%1  %2").arg(number).arg(shownText(step.label)));
@@ -31,6 +32,10 @@ StepForm::StepForm(const Step& step, int number, QWidget* parent)
   header_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   header_->setCheckable(true);
   header_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  count_->setObjectName("set_of_" + QString::fromStdString(step.name));
+  count_->setProperty("role", "quiet");
+  count_->setContentsMargins(0, 0, 8, 0);
+  count_->setAttribute(Qt::WA_TransparentForMouseEvents);
   note_->setProperty("role", "quiet");
   note_->setAttribute(Qt::WA_TransparentForMouseEvents);
   state_->setProperty("role", "state");
@@ -57,17 +62,16 @@ StepForm::StepForm(const Step& step, int number, QWidget* parent)
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(0);
-  grid->addWidget(header_, 0, 0, 1, 3);
-  grid->addWidget(note_, 0, 1, Qt::AlignRight | Qt::AlignVCenter);
-  grid->addWidget(state_, 0, 2, Qt::AlignRight | Qt::AlignVCenter);
-  grid->addWidget(run_, 0, 3);
+  grid->addWidget(header_, 0, 0, 1, 4);
+  grid->addWidget(count_, 0, 1, Qt::AlignRight | Qt::AlignVCenter);
+  grid->addWidget(note_, 0, 2, Qt::AlignRight | Qt::AlignVCenter);
+  grid->addWidget(state_, 0, 3, Qt::AlignRight | Qt::AlignVCenter);
+  grid->addWidget(run_, 0, 4);
   grid->setColumnStretch(0, 1);
-  grid->addWidget(body_, 1, 0, 1, 4);
+  grid->addWidget(body_, 1, 0, 1, 5);
   connect(header_, &QToolButton::toggled, this, &StepForm::setOpen);
-  connect(method_, &QComboBox::activated, this, [this] {
-    showMethod();
-    emit changed();
-  });
+  connect(method_, &QComboBox::activated, this, &StepForm::takeMethod);
+  connect(this, &StepForm::changed, this, &StepForm::showCount);
   showMethod();
   setOpen(false);
 }
@@ -106,6 +110,7 @@ void StepForm::setState(State state, const QString& note, const QString& details
   current_ = state;
   note_->setText(note);
   state_->setText(shown.sign);
+  setRole(*state_, state == State::failed ? "failed" : "state");
   state_->setAccessibleName(shown.name);
   header_->setAccessibleDescription(shown.name);
   const QString help = shownText(step_.help);
@@ -124,13 +129,21 @@ void StepForm::setOpen(bool isOpen) {
   if (isOpen) emit opened();
 }
 
+StepForm::Settings StepForm::chosenSettings() const {
+  Settings settings;
+  for (const OptionField* field : form_->fields())
+    if (field->chosen()) settings[field->option().name] = *field->chosen();
+  return settings;
+}
+
 void StepForm::addTo(PipelineOptions& options) const {
   if (method_->currentIndex() != 0) options.methods[step_.name] = form_->method().name;
-  for (const OptionField* field : form_->fields())
-    if (field->chosen()) options.settings[step_.name][field->option().name] = *field->chosen();
+  if (const Settings settings = chosenSettings(); !settings.empty())
+    options.settings[step_.name] = settings;
 }
 
 void StepForm::choose(const PipelineOptions& options) {
+  before_.clear();
   const auto method = options.methods.find(step_.name);
   const int index = method == options.methods.end()
                         ? 0
@@ -139,15 +152,30 @@ void StepForm::choose(const PipelineOptions& options) {
   // Made anew only for another method: what Qt keeps of styled fields outlives them.
   if (&form_->method() != &chosenMethod()) showMethod();
   const auto settings = options.settings.find(step_.name);
+  setFields(settings == options.settings.end() ? Settings() : settings->second);
+}
+
+/// Notifies nobody.
+void StepForm::setFields(const Settings& settings) {
   const QSignalBlocker quiet(this);
   for (OptionField* field : form_->fields()) {
-    std::optional<Rule> chosen;
-    if (settings != options.settings.end())
-      if (const auto value = settings->second.find(field->option().name);
-          value != settings->second.end())
-        chosen = value->second;
-    field->choose(chosen);
+    const auto value = settings.find(field->option().name);
+    field->choose(value == settings.end() ? std::nullopt : std::optional(value->second));
   }
+  showCount();
+}
+
+void StepForm::takeMethod() {
+  if (&form_->method() == &chosenMethod()) return;
+  before_[&form_->method()] = chosenSettings();
+  showMethod();
+  setFields(before_[&chosenMethod()]);
+  emit changed();
+}
+
+void StepForm::showCount() {
+  const std::size_t count = chosenSettings().size() + (method_->currentIndex() != 0 ? 1 : 0);
+  count_->setText(count == 0 ? QString() : tr("%1 set").arg(count));
 }
 
 const Method& StepForm::chosenMethod() const {

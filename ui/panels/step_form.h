@@ -4,6 +4,8 @@
 
 #include <QWidget>
 
+#include <map>
+#include <string>
 #include <vector>
 
 class QComboBox;
@@ -39,7 +41,8 @@ public:
 
   /// Adds what the user has chosen here to `options`.
   void addTo(PipelineOptions& options) const;
-  /// Shows what `options` say of this step; the rest is as the rules say. Notifies nobody.
+  /// Shows what `options` say of this step; the rest is as the rules say. Notifies nobody. What was
+  /// set of its other methods is forgotten.
   void choose(const PipelineOptions& options);
 
 signals:
@@ -48,13 +51,20 @@ signals:
   void runRequested(); // up to here
 
 private:
+  using Settings = std::map<std::string, Rule>; // of options, by name
+
   void showMethod();
+  void setFields(const Settings& settings);
+  void takeMethod(); // another, with what was set of it before
+  void showCount();  // how much is set otherwise than by default
+  [[nodiscard]] Settings chosenSettings() const;
   [[nodiscard]] const Method& chosenMethod() const;
 
   const Step& step_;
   PlantScale scale_{.spacing = 1, .height = 100};
   QString unit_;
   QToolButton* header_;
+  QLabel* count_;
   QLabel* note_;
   QLabel* state_;
   State current_ = State::idle;
@@ -62,7 +72,8 @@ private:
   QWidget* body_;
   QVBoxLayout* column_;
   QComboBox* method_;
-  MethodForm* form_ = nullptr; // of the method chosen
+  MethodForm* form_ = nullptr;               // of the method chosen
+  std::map<const Method*, Settings> before_; // of the other methods, as they were left
   std::vector<float> densities_;
 };
 

@@ -60,8 +60,7 @@ void KindFlow::guess() {
   const PipelineOptions options{.root = parts_.document.root(),
                                 .up = parts_.document.up(),
                                 .leftOut = parts_.document.leftOut()};
-  const LengthUnit unit = parts_.document.unit();
-  const double meters = unit == LengthUnit::unknown ? 0 : metersIn(unit);
+  const double meters = metersIn(parts_.document.unit());
   job_.start(
       tr("Looking at the plant"),
       [cloud = scan->cloud(), options, meters](const Progress& progress) {
@@ -77,7 +76,6 @@ void KindFlow::take() {
   if (!kind_) throw Error(tr("nothing is known of the plant: open a scan").toStdString());
   const NamedPreset& preset = presetFor(kind_->likely.kind);
   parts_.actions["preset_" + QString::fromStdString(preset.name)]->trigger();
-  emit noted(tr("Settings: %1").arg(shownText(preset.label)));
 }
 
 /// Whether the steps are set as they are for that kind already.
@@ -88,9 +86,8 @@ bool KindFlow::isTaken() const {
 }
 
 void KindFlow::refresh() {
-  const bool isShown = kind_ && parts_.document.skeleton().isEmpty();
-  parts_.actions["take_kind"]->setEnabled(isShown && !isTaken());
-  if (!isShown) return line_->show({}, {});
+  parts_.actions["take_kind"]->setEnabled(kind_ && !isTaken());
+  if (!kind_ || !parts_.document.skeleton().isEmpty()) return line_->show({}, {});
   const auto& shares = kind_->shares;
   line_->show((isTaken() ? tr("Perhaps: %1. The settings are those for it") : tr("Perhaps: %1"))
                   .arg(labelOf(*kind_)),

@@ -14,7 +14,7 @@ class PipelinePanel;
 class PlantDocument;
 
 /// Says in the panel of the pipeline what the plant of the scan probably is, before it is
-/// reconstructed, and offers the settings for such plants; it takes none by itself.
+/// reconstructed, and offers the settings for such plants, then and later; it takes none by itself.
 class KindFlow : public WindowPart {
   Q_OBJECT
 

@@ -58,16 +58,34 @@ QStringList changesOfScan(const PipelineOptions& before, const PipelineOptions& 
   return parts;
 }
 
+QStringList changesOfSteps(const PipelineOptions& before, const PipelineOptions& after,
+                           const PlantScale& scale, const QString& unit) {
+  QStringList steps = changesOfScan(before, after);
+  if (scale.spacing <= 0) return steps;
+  for (const Step& step : pipelineSteps())
+    if (const QString change = changeOf(step, before, after, scale, unit); !change.isEmpty())
+      steps.append(shownText(step.label) + QStringLiteral(": ") + change);
+  return steps;
+}
+
+const QString betweenSteps = QStringLiteral("; ");
+
 } // namespace
 
 QString changeText(const PipelineOptions& before, const PipelineOptions& after,
                    const PlantScale& scale, const QString& unit) {
-  QStringList steps = changesOfScan(before, after);
-  if (scale.spacing <= 0) return steps.join(QStringLiteral("; "));
-  for (const Step& step : pipelineSteps())
-    if (const QString change = changeOf(step, before, after, scale, unit); !change.isEmpty())
-      steps.append(shownText(step.label) + QStringLiteral(": ") + change);
-  return steps.join(QStringLiteral("; "));
+  return changesOfSteps(before, after, scale, unit).join(betweenSteps);
+}
+
+QString shortChangeText(const PipelineOptions& before, const PipelineOptions& after,
+                        const PlantScale& scale, const QString& unit, qsizetype most) {
+  const QStringList steps = changesOfSteps(before, after, scale, unit);
+  QString text = steps.value(0);
+  for (qsizetype i = 1; i < steps.size(); ++i) {
+    if (text.size() + steps[i].size() > most) return text + QStringLiteral("; …");
+    text += betweenSteps + steps[i];
+  }
+  return text;
 }
 
 QString valueText(const Option& option, double value, const QString& unit) {

@@ -2,6 +2,7 @@
 
 #include "app/window/files/load_files.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/preview/options_text.h"
 #include "core/base/error.h"
 #include "core/base/open_for_reading.h"
 #include "core/io/atomic_file.h"
@@ -39,7 +40,7 @@ PresetFlow::PresetFlow(const Parts& parts) : parts_(parts) {
     parts_.actions.add({.id = idOf(preset),
                         .text = tr("Settings: %1").arg(shownText(preset.label)),
                         .help = shownText(preset.help)},
-                       [this, &preset] { show(preset.options); });
+                       [this, &preset] { take(preset.options, shownText(preset.label)); });
   parts_.actions.add({.id = "keep_preset",
                       .text = tr("Keep Settings As…"),
                       .help = tr("Keeps methods and options of all steps under a name in this "
@@ -70,7 +71,8 @@ void PresetFlow::fill(QMenu& menu) {
     menu.addAction(tr("Settings: %1").arg(QString(each.name).replace('&', "&&")), this,
                    [this, each] {
                      std::istringstream in(each.text);
-                     show(readPreset(in, each.name.toStdString(), metersInUnit()));
+                     take(readPreset(in, each.name.toStdString(), metersIn(parts_.document.unit())),
+                          each.name);
                    });
   menu.addSeparator();
   for (const char* id : {"keep_preset", "open_preset", "save_preset"})
@@ -132,15 +134,23 @@ void PresetFlow::forget(const QString& name) {
   setOwn(all);
 }
 
+void PresetFlow::take(const PipelineOptions& options, const QString& name) {
+  const PipelineOptions before = parts_.pipeline.options();
+  show(options);
+  const PipelineOptions now = parts_.pipeline.options();
+  const QString taken = tr("Settings: %1").arg(name);
+  const bool replacesSome = !before.settings.empty() || !before.methods.empty();
+  const QString change =
+      shortChangeText(before, now, parts_.document.scale(), symbol(parts_.document.unit()), 250);
+  if (!replacesSome || change.isEmpty()) return void(emit noted(taken));
+  emit reported({.text = tr("%1. What is set otherwise now: %2").arg(taken, change),
+                 .actions = {{tr("Take Back"), [this, before] { show(before); }}}});
+}
+
 void PresetFlow::show(const PipelineOptions& options) {
   parts_.pipeline.setOptions(options);
   emit chosen();
   emit keptChanged();
-}
-
-double PresetFlow::metersInUnit() const {
-  const LengthUnit unit = parts_.document.unit();
-  return unit == LengthUnit::unknown ? 0 : metersIn(unit);
 }
 
 void PresetFlow::write(std::ostream& out) const {
@@ -154,9 +164,9 @@ void PresetFlow::open() {
   if (path.isEmpty()) return;
   std::istringstream in(readText(toPath(path)));
   const PipelineOptions options =
-      readPreset(in, QFileInfo(path).fileName().toStdString(), metersInUnit());
+      readPreset(in, QFileInfo(path).fileName().toStdString(), metersIn(parts_.document.unit()));
   parts_.settings.setValue(presetFolderKey, QFileInfo(path).absolutePath());
-  show(options);
+  take(options, QFileInfo(path).fileName());
 }
 
 void PresetFlow::save() {

@@ -48,11 +48,11 @@ private:
   void setOwn(const std::vector<Own>& all);
   void keep();
   void forget(const QString& name);
+  void take(const PipelineOptions& options, const QString& name); // what it replaces is offered
   void show(const PipelineOptions& options);
   void open();
   void save();
-  [[nodiscard]] double metersInUnit() const; // of the plant; 0: not known
-  void write(std::ostream& out) const;       // with that unit
+  void write(std::ostream& out) const; // with that unit
 
   Parts parts_;
 };

@@ -34,6 +34,19 @@ TEST_F(PresetTest, OfTheThesisIsShownInTheForms) {
   EXPECT_EQ(shown(), PipelineOptions());
 }
 
+TEST_F(PresetTest, GivesBackWhatItReplaced) {
+  action("preset_default").trigger();
+  EXPECT_FALSE(window().banner().isVisible()) << "nothing was set";
+  PipelineOptions mine;
+  mine.set("contract.radius=0.144");
+  window().findChild<PipelinePanel*>()->setOptions(mine);
+  action("preset_thesis").trigger();
+  EXPECT_TRUE(window().banner().text().contains("What is set otherwise now: Thin: none; Contract: "))
+      << window().banner().text().toStdString();
+  clickButton("banner_action");
+  EXPECT_EQ(shown(), mine);
+}
+
 TEST_F(PresetTest, MayHoldAValueThatIsOutOfRangeOfThisScan) {
   PipelineOptions kept = presetNamed("thesis")->options; // its contraction follows densities
   kept.set("contract.density_radius=1000000");

@@ -11,9 +11,11 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QElapsedTimer>
+#include <QLabel>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTimer>
+#include <QUndoStack>
 
 #include <algorithm>
 #include <cmath>
@@ -208,6 +210,9 @@ TEST_F(PreviewTest, SaysWhyAStepFails) {
   EXPECT_TRUE(window().banner().text().contains("raise one of them"))
       << window().banner().text().toStdString();
   EXPECT_TRUE(document().skeleton().isEmpty());
+  type("contract", "along", 1);
+  waitForPreview();
+  EXPECT_FALSE(window().banner().isVisible()) << "it is mended";
 }
 
 TEST_F(PreviewTest, StepsShowHowTheyStand) {
@@ -230,10 +235,53 @@ TEST_F(PreviewTest, StepsShowHowTheyStand) {
   view().setFocus();
   key(Qt::Key_Escape);
   EXPECT_EQ(step("contract").state(), State::done) << "the plant is of these choices again";
-  document().undoStack().undo();
-  EXPECT_EQ(step("clean").state(), State::idle) << "of the plant before, nobody knows";
-  document().undoStack().redo();
+  QUndoStack& stack = document().undoStack();
+  EXPECT_TRUE(stack.undoText().startsWith("Reconstruct: Contract: radius 0.2"));
+  stack.undo();
+  EXPECT_EQ(step("clean").state(), State::done);
+  EXPECT_EQ(step("contract").state(), State::stale) << "the plant before has another radius";
+  stack.undo();
+  EXPECT_EQ(step("clean").state(), State::idle) << "there is no plant";
+  stack.redo();
+  stack.redo();
   EXPECT_EQ(step("radius").state(), State::done);
+}
+
+TEST_F(PreviewTest, UndoSaysThatItDropsThePreviewFirst) {
+  key(Qt::Key_R, Qt::ControlModifier);
+  waitForJob();
+  EXPECT_EQ(action("undo").text(), "&Undo: Reconstruct");
+  turnOn();
+  type("contract", "radius", 0.12);
+  waitForPreview();
+  EXPECT_EQ(action("undo").text(), "Drop the &Preview");
+  view().setFocus();
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(shown());
+  EXPECT_FALSE(document().skeleton().isEmpty());
+  EXPECT_EQ(action("undo").text(), "&Undo: Reconstruct");
+}
+
+TEST_F(PreviewTest, AMethodIsFoundAgainAsItWasLeft) {
+  const auto choose = [&](const char* name) {
+    auto* method = step("contract").findChild<QComboBox*>();
+    method->setCurrentIndex(method->findData(name));
+    emit method->activated(method->currentIndex());
+  };
+  type("contract", "radius", 0.12);
+  EXPECT_EQ(find<QLabel>("set_of_contract").text(), "1 set");
+  const PipelineOptions mine = panel().options();
+  choose("adaptive_geodesic");
+  EXPECT_FALSE(panel().options().settings.contains("contract"));
+  choose("geodesic_centroid");
+  EXPECT_EQ(panel().options(), mine);
+  choose("geodesic_centroid");
+  EXPECT_EQ(panel().options(), mine) << "the same once more";
+  panel().setOptions({});
+  EXPECT_EQ(find<QLabel>("set_of_contract").text(), "");
+  choose("adaptive_geodesic");
+  choose("geodesic_centroid");
+  EXPECT_FALSE(panel().options().settings.contains("contract")) << "other settings were taken";
 }
 
 TEST_F(PreviewTest, RunsUpToOneStep) {

@@ -205,6 +205,19 @@ std::vector<std::string> notesIn(const std::string& option, const std::vector<Js
   return notes;
 }
 
+/// What was set of a step whose methods are tried: the one that is chosen alone has it.
+std::vector<std::string> notesOnMethods(const Swept& swept, const Option& option,
+                                        const PipelineOptions& options) {
+  const Step& step = stepNamed(swept.step);
+  const auto set = options.settings.find(swept.step);
+  if (&option != &methodOption(step) || set == options.settings.end()) return {};
+  std::string names;
+  for (const auto& [name, rule] : set->second)
+    names += (names.empty() ? "" : ", ") + swept.step + '.' + name;
+  return {chosenMethod(step, options).name + " is tried with " + names +
+          " as set, other methods by their own defaults"};
+}
+
 std::optional<Reference> referenceIn(const SweepFlags& flags) {
   const std::string& file = flags.reference;
   if (file.empty()) return std::nullopt;
@@ -234,6 +247,7 @@ void run(const SweepFlags& flags) {
   const std::optional<Reference> reference = referenceIn(flags);
   auto scan = readPoints(flags.pipeline.scan, reading, terminal.progress().part(0, 0.1, "Read"));
   printNotes(scan.notes);
+  printNotes(notesOnMethods(swept, *option, options));
   const auto cloud = std::make_shared<const PointCloud>(std::move(scan.value));
   std::vector<Json> rows;
   Pipeline pipeline;
@@ -272,8 +286,8 @@ void addSweep(CLI::App& app) {
                    "Points of one plant, in any format that is read, as PLY or LAS")
       ->required();
   command
-      ->add_option("OPTION", flags->name,
-                   "STEP.OPTION to vary, such as contract.radius, or STEP.method for its methods "
+      ->add_option("STEP.OPTION", flags->name,
+                   "What to vary, such as contract.radius, or STEP.method for its methods "
                    "(see: espalier methods)")
       ->required();
   command

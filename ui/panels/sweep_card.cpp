@@ -15,11 +15,12 @@ constexpr int cardMargin = 8;
 constexpr int cardRowHeight = 15;
 constexpr int headHeight = 20;
 constexpr int leastPicture = 56; // height
+constexpr int scoresWidth = 128; // beside a picture
 
 /// For those who do not see it: the value, and what came of it.
 QString spoken(const SweepItem& item) {
   QStringList parts = {item.label};
-  if (item.isCurrent) parts.append(SweepCard::tr("in use"));
+  if (item.isCurrent) parts.append(SweepCard::tr("set"));
   if (item.isPending) parts.append(SweepCard::tr("is computed"));
   if (!item.failure.isEmpty()) parts.append(item.failure);
   for (const SweepScore& score : item.scores)
@@ -33,7 +34,8 @@ QString spoken(const SweepItem& item) {
 SweepCard::SweepCard(QWidget* parent) : QAbstractButton(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setCursor(Qt::PointingHandCursor);
-  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  setMaximumWidth(2 * (side + cardMargin));
   setAttribute(Qt::WA_Hover); // is painted anew when the pointer comes
 }
 
@@ -42,8 +44,8 @@ void SweepCard::setItem(const SweepItem& item) {
   setAccessibleName(spoken(item));
   setToolTip(!item.failure.isEmpty() ? item.failure
              : item.isPending        ? QString()
-             : item.isCurrent        ? tr("%1 is in use").arg(item.label)
-                                     : tr("Click to use %1").arg(item.label));
+             : item.isCurrent        ? tr("%1 %2 is set").arg(item.of, item.label)
+                                     : tr("Click to set %1 %2").arg(item.of, item.label));
   update();
 }
 
@@ -61,14 +63,39 @@ QSize SweepCard::minimumSizeHint() const {
 }
 
 QSize SweepCard::sizeWith(int pictureHeight) const {
-  return {side + 2 * cardMargin, cardMargin + pictureHeight + headHeight +
-                                     cardRowHeight * static_cast<int>(rows_) + cardMargin};
+  const int texts = headHeight + cardRowHeight * static_cast<int>(rows_);
+  return {side + 2 * cardMargin,
+          2 * cardMargin + (isWide() ? std::max(texts, pictureHeight) : texts + pictureHeight)};
+}
+
+/// Are the texts beside the picture? Most plants are high.
+bool SweepCard::isWide() const {
+  return width() >= side + scoresWidth / 2 + 3 * cardMargin;
+}
+
+QRect SweepCard::pictureBox() const {
+  const QRect inside = rect().adjusted(cardMargin, cardMargin, -cardMargin, -cardMargin);
+  const int texts = headHeight + cardRowHeight * static_cast<int>(rows_);
+  return isWide() ? inside.adjusted(0, 0, -scoresWidth - cardMargin, 0)
+                  : inside.adjusted(0, 0, 0, -texts);
+}
+
+/// Of the value and how it stands.
+QRect SweepCard::headBox() const {
+  const QRect picture = pictureBox();
+  if (isWide()) return {picture.right() + 1 + cardMargin, cardMargin, scoresWidth, headHeight};
+  return {picture.left(), picture.bottom() + 1, picture.width(), headHeight};
 }
 
 /// Of all scores, a row each.
 QRect SweepCard::scoreBox() const {
-  const int rows = cardRowHeight * static_cast<int>(rows_);
-  return {cardMargin, height() - cardMargin - rows, side, rows};
+  const QRect head = headBox();
+  return {head.left(), head.bottom() + 1, head.width(), cardRowHeight * static_cast<int>(rows_)};
+}
+
+void SweepCard::resizeEvent(QResizeEvent* event) {
+  QAbstractButton::resizeEvent(event);
+  emit resized();
 }
 
 bool SweepCard::event(QEvent* event) {
@@ -98,16 +125,16 @@ void SweepCard::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(QPen(palette().color(QPalette::Text), 1, Qt::DotLine));
     painter.drawRoundedRect(QRectF(rect()).adjusted(3.5, 3.5, -3.5, -3.5), 3, 3);
   }
-  const int pictureHeight = height() - sizeWith(0).height();
-  paintPicture(painter, {cardMargin, cardMargin, side, pictureHeight});
-  const QRect head(cardMargin, cardMargin + pictureHeight, side, headHeight);
+  paintPicture(painter, pictureBox());
+  const QRect head = headBox();
   QFont bold = font();
   bold.setBold(true);
   painter.setFont(bold);
   painter.setPen(palette().color(QPalette::Text));
-  const QString use = item_.isCurrent ? tr("in use") : QString();
+  const QString use = item_.isCurrent ? tr("set") : QString();
   painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, use);
-  const int room = side - (use.isEmpty() ? 0 : painter.fontMetrics().horizontalAdvance(use) + 8);
+  const int room =
+      head.width() - (use.isEmpty() ? 0 : painter.fontMetrics().horizontalAdvance(use) + 8);
   painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter,
                    painter.fontMetrics().elidedText(item_.label, Qt::ElideRight, room));
   paintScores(painter, scoreBox());

@@ -18,7 +18,7 @@ SweepStrip::SweepStrip(QWidget* parent)
   setAccessibleName(tr("Sweep"));
   row_->setContentsMargins(8, 8, 8, 8);
   row_->setSpacing(8);
-  row_->addStretch(1);
+  row_->addStretch();
   scroll_->setWidget(page_);
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
@@ -50,20 +50,26 @@ void SweepStrip::setItem(std::size_t index, const SweepItem& item) {
 void SweepStrip::addCard(std::size_t index) {
   auto* card = new SweepCard(page_);
   card->installEventFilter(this);
-  row_->insertWidget(row_->count() - 1, card);
+  row_->insertWidget(row_->count() - 1, card, 1);
   cards_.push_back(card);
   connect(card, &SweepCard::clicked, this, [this, card, index] {
     const SweepItem& item = card->item();
     if (!item.isPending && item.failure.isEmpty()) emit chosen(index);
   });
+  connect(card, &SweepCard::resized, this, &SweepStrip::resized);
   connect(card, &SweepCard::hovered, this, [this, index](bool isInside) {
     emit hovered(isInside ? std::optional(index) : std::nullopt);
   });
 }
 
+void SweepStrip::setLeastRows(std::size_t rows) {
+  leastRows_ = rows;
+  resizeCards();
+}
+
 /// All cards have room for the most scores.
 void SweepStrip::resizeCards() {
-  std::size_t rows = 0;
+  std::size_t rows = leastRows_;
   for (const SweepCard* card : cards_)
     rows = std::max(rows, card->item().scores.size());
   for (SweepCard* card : cards_)

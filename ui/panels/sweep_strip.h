@@ -25,13 +25,17 @@ public:
 
   void setItems(const std::vector<SweepItem>& items);
   void setItem(std::size_t index, const SweepItem& item); // pre: index < count of the items
+  void setLeastRows(std::size_t rows); // that there is room for before there are scores
   /// What it takes to see all scores [px]; lower strips scroll.
   [[nodiscard]] int heightForScores() const;
+  /// Of each card [px]; pre: there are cards
+  [[nodiscard]] QSize pictureSize() const { return cards_.front()->pictureSize(); }
   [[nodiscard]] const std::vector<SweepCard*>& cards() const { return cards_; }
 
 signals:
   void chosen(std::size_t index);
   void hovered(std::optional<std::size_t> index); // by the pointer or the focus; none: no card
+  void resized();                                 // pictures have other room
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override; // of the cards
@@ -45,6 +49,7 @@ private:
   QWidget* page_;
   QHBoxLayout* row_;
   std::vector<SweepCard*> cards_;
+  std::size_t leastRows_ = 0;
 };
 
 } // namespace espalier

@@ -3,6 +3,7 @@
 #include "app/window/evaluate/evaluation_flow.h"
 #include "app/window/evaluate/reference_flow.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/frame/key_hints.h"
 #include "app/window/preview/judge_numbers.h"
 #include "app/window/preview/options_text.h"
 #include "app/window/preview/reconstruct_flow.h"
@@ -33,13 +34,23 @@
 namespace espalier {
 namespace {
 
-constexpr QSize pictureSize(SweepCard::side, SweepCard::side);
-
 /// What stands on the card of a value.
 QString labelOf(const Option& option, double value, const QString& unit) {
   return option.kind == OptionKind::choice
              ? shownText(option.choices[static_cast<std::size_t>(value)].label)
              : valueText(option, value, unit);
+}
+
+QString nameOf(const Step& step, const Option& option) {
+  return SweepFlow::tr("%1: %2", "step, option")
+      .arg(shownText(step.label), shownText(option.label));
+}
+
+/// How many numbers cards can have.
+std::size_t scoresOfCard(bool hasReference) {
+  const std::vector<JudgedNumber> all = judgedNumbers({}, hasReference);
+  return static_cast<std::size_t>(std::ranges::count_if(
+      all, [](const JudgedNumber& number) { return !number.shortName.isEmpty(); }));
 }
 
 /// What one would sweep of a step, or of the contraction: the first length.
@@ -86,10 +97,12 @@ SweepFlow::SweepFlow(const Parts& parts) : parts_(parts) {
   connect(&parts_.document, &PlantDocument::unitChanged, this, &SweepFlow::proposeRange);
   seen_.setSingleShot(true);
   connect(&seen_, &QTimer::timeout, this, &SweepFlow::pictureNext);
-  connect(&parts_.view, &PlantView::cameraMoved, this, [this] {
+  const auto pictureAnew = [this] {
     pictured_ = 0;
     if (parts_.window.actions["show_sweep"]->isChecked()) seen_.start(300);
-  });
+  };
+  connect(&parts_.view, &PlantView::cameraMoved, this, pictureAnew);
+  connect(strip_, &SweepStrip::resized, this, pictureAnew);
   listOptions();
 }
 
@@ -115,6 +128,7 @@ QWidget* SweepFlow::makePanel() {
   count_->setValue(5);
   count_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   count_->setSuffix(tr(" values"));
+  count_->setToolTip(tr("%1 to %2 values").arg(count_->minimum()).arg(count_->maximum()));
   row->addWidget(count_);
   const auto addEnd = [&](const QString& name, const QString& label, const QString& help) {
     auto* number = new NumberBox;
@@ -134,6 +148,7 @@ QWidget* SweepFlow::makePanel() {
   run_->setToolTip(tr("Reconstructs the plant with each value; nothing of it changes"));
   row->addWidget(run_);
   note_ = new QLabel;
+  note_->setObjectName("sweep_note");
   note_->setProperty("role", "quiet");
   row->addWidget(note_, 1);
   column->addLayout(row);
@@ -159,8 +174,7 @@ void SweepFlow::listOptions() {
   const PipelineOptions options = parts_.pipeline.options();
   for (const Step& step : pipelineSteps()) {
     const auto add = [&](const Option& option) {
-      option_->addItem(shownText(step.label) + QStringLiteral(": ") + shownText(option.label),
-                       QString::fromStdString(step.name + "." + option.name));
+      option_->addItem(nameOf(step, option), QString::fromStdString(step.name + "." + option.name));
     };
     if (step.methods.size() > 1) add(methodOption(step));
     std::ranges::for_each(chosenMethod(step, options).options, add);
@@ -195,24 +209,33 @@ void SweepFlow::start() {
   const QStringList names = option_->currentData().toString().split('.');
   if (scan == nullptr || names.size() != 2) return;
   const std::string step = names[0].toStdString();
-  const Option& option = optionOfChosen(parts_.pipeline.options(), step, names[1].toStdString());
+  const PipelineOptions options = parts_.pipeline.options();
+  const Option& option = optionOfChosen(options, step, names[1].toStdString());
   trials_.clear();
   sweptOption_ = &option;
   sweptStep_ = step;
   std::optional<std::pair<double, double>> range = std::minmax(from_->value(), to_->value());
   if (range == proposed_) range.reset(); // the default, which is among them, is not rounded
   for (const double value : sweepValues(option, parts_.document.scale(), count_->value(), range)) {
-    trials_.push_back(
-        {.value = value,
-         .options = withValue(parts_.pipeline.options(), stepNamed(step), option, value)});
-    trials_.back().item = {.value = value,
-                           .label = labelOf(option, value, symbol(parts_.document.unit())),
+    trials_.push_back({.options = withValue(options, stepNamed(step), option, value)});
+    const QString label = labelOf(option, value, symbol(parts_.document.unit()));
+    // Methods begin with their own defaults, but the one that is chosen stays as it is set.
+    const bool isAsSet = option.takesWords() && trials_.back().options.settings.contains(step);
+    trials_.back().item = {.of = option_->currentText(),
+                           .label = isAsSet && &option == &methodOption(stepNamed(step))
+                                        ? tr("%1, as set").arg(label)
+                                        : label,
                            .isPending = true};
   }
   next_ = 0;
+  planned_ = trials_.size();
   swept_ = option_->currentText();
   run_->setText(tr("Stop"));
+  strip_->setLeastRows(scoresOfCard(parts_.reference.skeleton() != nullptr));
   showCards();
+  QTimer::singleShot(0, dock_, [this] { // once the strip knows its place
+    dock_->growBy(strip_->heightForScores() - strip_->height());
+  });
   runNext();
 }
 
@@ -252,9 +275,6 @@ void SweepFlow::finish(const Outcome& outcome, const Judgment& judgment) {
   trial.item.isPending = false;
   ++next_;
   showCards();
-  QTimer::singleShot(0, dock_, [this] { // once the strip knows its place
-    dock_->growBy(strip_->heightForScores() - strip_->height());
-  });
   runNext();
 }
 
@@ -262,7 +282,8 @@ void SweepFlow::finish(const Outcome& outcome, const Judgment& judgment) {
 void SweepFlow::picture(Trial& trial) const {
   PlantState state = trial.outcome->shownAs({});
   state.replacesPoints = true;
-  trial.item.picture = parts_.view.pictureOf(state, 2 * pictureSize, PlantView::Framing::asSeen);
+  const QSize size = strip_->pictureSize().expandedTo({16, 16});
+  trial.item.picture = parts_.view.pictureOf(state, 2 * size, PlantView::Framing::asSeen);
   trial.item.picture.setDevicePixelRatio(2);
 }
 
@@ -307,10 +328,16 @@ void SweepFlow::showCards() {
   for (const Trial& trial : trials_)
     items.push_back(trial.item);
   strip_->setItems(items);
-  note_->setText(
-      trials_.empty()
-          ? tr("Tries values of one option; a click takes one")
-          : tr("%1 of %2 done").arg(std::min(next_, trials_.size())).arg(trials_.size()));
+  note_->setText(noteOnCards());
+}
+
+QString SweepFlow::noteOnCards() const {
+  if (trials_.empty()) return tr("Tries values of one option; a click takes one");
+  const bool isStopped = trials_.size() < planned_;
+  return (isStopped ? tr("%1: stopped, %2 of %3 done") : tr("%1: %2 of %3 done"))
+      .arg(swept_)
+      .arg(std::min(next_, trials_.size()))
+      .arg(planned_);
 }
 
 ChoiceRecord SweepFlow::record() const {
@@ -340,6 +367,9 @@ void SweepFlow::take(std::size_t index) {
   showCards();
   emit taken();
   emit keptChanged();
+  emit noted(withKeys(tr("Set: %1 %2   {reconstruct} make the plant with it")
+                          .arg(swept_, trials_[index].item.label),
+                      parts_.window.actions));
 }
 
 } // namespace espalier

@@ -56,7 +56,6 @@ signals:
 
 private:
   struct Trial {
-    double value = 0;
     PipelineOptions options;
     SweepItem item = {};
     Judgment judgment = {};
@@ -71,6 +70,7 @@ private:
   void runNext();
   void finish(const Outcome& outcome, const Judgment& judgment);
   void showCards();
+  [[nodiscard]] QString noteOnCards() const;
   void picture(Trial& trial) const;
   void pictureNext();
   void take(std::size_t index);
@@ -89,6 +89,7 @@ private:
   QString swept_; // the option that these are of, as people read it
   const Option* sweptOption_ = nullptr;
   std::string sweptStep_;
+  std::size_t planned_ = 0; // how many there were to be
   std::size_t next_ = 0;
   QTimer seen_; // until the view rests: then the pictures follow it, one at a time
   std::size_t pictured_ = 0;

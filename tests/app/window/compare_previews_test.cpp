@@ -1,11 +1,15 @@
 // Comparing previews, judging them by numbers, and sweeps, by mouse and keys in the real window.
+#include "app/window/preview/states_flow.h"
+#include "core/evaluate/differences/differences.h"
 #include "tests/app/window/preview_fixture.h"
 #include "ui/panels/judge_table.h"
 #include "ui/panels/message_banner.h"
+#include "ui/panels/status_line.h"
 #include "ui/panels/sweep_strip.h"
 #include "ui/plots/histogram_view.h"
 
 #include <QComboBox>
+#include <QLabel>
 #include <QSlider>
 #include <QSpinBox>
 
@@ -61,6 +65,23 @@ TEST_F(PreviewTest, BlendsScannedAndContractedPoints) {
   clickButton("blend_close");
   EXPECT_FALSE(slider.isVisible());
   EXPECT_FALSE(action("blend_points").isChecked());
+}
+
+TEST_F(PreviewTest, ColorsWhatItHasLostOfA) {
+  turnOn();
+  key(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+  action("color_state_differences").trigger();
+  type("prune", "length", 2); // of three branches none is left
+  waitForPreview();
+  const Skeleton& now = *shown()->skeleton;
+  const Skeleton& a = *window().part<StatesFlow>().kept()->skeleton;
+  ASSERT_LT(now.size(), a.size());
+  const auto& drawn = window().part<PreviewFlow>().drawn();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return drawn.has_value(); }, patience));
+  EXPECT_GT(drawn->skeleton.size(), now.size());
+  EXPECT_GT(std::ranges::count(drawn->colors.values, static_cast<float>(Difference::missed)), 3);
+  action("color_state_differences").trigger();
+  EXPECT_FALSE(drawn);
 }
 
 TEST_F(PreviewTest, JudgesByNumbersAndSelectsWhatIsMarked) {
@@ -144,15 +165,29 @@ TEST_F(PreviewTest, SweepsAnOptionAndTakesAValue) {
     EXPECT_GE(card->item().scores.size(), 4U);
   }
   EXPECT_TRUE(document().skeleton().isEmpty()) << "nothing of the plant has changed";
-  EXPECT_NEAR(strip.cards()[1]->item().value, 0.1, 1e-9);
+  EXPECT_TRUE(strip.cards()[1]->item().label.startsWith("0.1"));
   const QImage before = strip.cards()[1]->item().picture;
   action("view_left").trigger();
   EXPECT_TRUE(QTest::qWaitFor([&] { return strip.cards()[1]->item().picture != before; }, patience))
       << "pictures follow the view";
-  const double value = strip.cards()[2]->item().value;
   QTest::keyClick(strip.cards()[2], Qt::Key_Return);
-  EXPECT_EQ(panel().options().settings.at("contract").at("radius"), fixedAt(value));
+  EXPECT_EQ(panel().options().settings.at("contract").at("radius"), fixedAt(0.2));
   EXPECT_TRUE(strip.cards()[2]->item().isCurrent);
+  EXPECT_TRUE(window().statusLine().shownText().startsWith("Set: Contract: Radius 0.2"))
+      << window().statusLine().shownText().toStdString();
+}
+
+TEST_F(PreviewTest, AStoppedSweepSaysHowFarItCame) {
+  key(Qt::Key_F7, Qt::ShiftModifier);
+  find<QSpinBox>("sweep_count").setValue(12);
+  clickButton("sweep_run");
+  auto& strip = find<SweepStrip>("sweep_strip");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !strip.cards()[0]->item().isPending; }, patience));
+  clickButton("sweep_run");
+  const auto done = strip.cards().size();
+  ASSERT_LT(done, 12U);
+  EXPECT_EQ(find<QLabel>("sweep_note").text(),
+            QString("Contract: Radius: stopped, %1 of 12 done").arg(done));
 }
 
 TEST_F(PreviewTest, SweepsOptionsOfTheMethodsThatAreShown) {
@@ -184,6 +219,7 @@ TEST_F(PreviewTest, SweepsTheMethodsOfAStepAndTakesOne) {
                                     [](const SweepCard* card) { return card->item().isPending; });
       },
       patience));
+  EXPECT_FALSE(strip.cards()[0]->item().label.endsWith(", as set")) << "it has its defaults";
   QTest::keyClick(strip.cards()[1], Qt::Key_Return);
   EXPECT_EQ(panel().options().methods.at("prune"), stepNamed("prune").methods[1].name);
   EXPECT_TRUE(strip.cards()[1]->item().isCurrent);

@@ -15,12 +15,12 @@ QImage gray() {
   return image;
 }
 
-/// Six values, in a strip that shows two of them; the third is in use.
+/// Six values, in a strip that shows two of them; the third is set.
 class ShownStrip : public testing::Test {
 protected:
   ShownStrip() {
     for (int i = 0; i < 6; ++i)
-      items_.push_back({.value = 10.0 * i,
+      items_.push_back({.of = "Contract: Radius",
                         .label = QString("%1 mm").arg(10 * i),
                         .picture = gray(),
                         .scores = {{"Lost tips", QString::number(i), i == 0}, {"Length", "4 m"}},
@@ -90,7 +90,7 @@ TEST_F(ShownStrip, ReportsWhichCardIsUnderThePointer) {
 
 TEST_F(ShownStrip, NamesValueAndScoresToThoseWhoDoNotSeeIt) {
   EXPECT_EQ(strip_.cards()[0]->accessibleName(), "0 mm; Lost tips 0, best; Length 4 m");
-  EXPECT_EQ(strip_.cards()[2]->accessibleName(), "20 mm; in use; Lost tips 2; Length 4 m");
+  EXPECT_EQ(strip_.cards()[2]->accessibleName(), "20 mm; set; Lost tips 2; Length 4 m");
 }
 
 TEST_F(ShownStrip, ShowsAllScoresIfItHasTheHeightAndGivesTheRestToPictures) {

@@ -13,7 +13,9 @@
 #include <iterator>
 #include <optional>
 #include <ostream>
+#include <set>
 #include <string_view>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -150,6 +152,27 @@ PipelineOptions optionsIn(const Json& json, const Where& where, bool mustExist, 
 constexpr const char* notAPreset = espalier::Shown::tr(
     "a preset is a JSON object of steps, such as {\"contract\": {\"radius\": 12.5}}");
 
+/// A step, or an option of it, that stands twice in a text: of these JSON has the last, without a
+/// word.
+struct KeyTwice {
+  std::string step;
+  std::string option; // empty: the step itself
+};
+
+/// @throws as Json::parse()
+Json parsed(const std::string& text, std::optional<KeyTwice>& twice) {
+  std::set<std::pair<std::string, std::string>> seen;
+  std::string step;
+  return Json::parse(text, [&](int depth, Json::parse_event_t event, const Json& key) {
+    if (event != Json::parse_event_t::key || depth > 2) return true;
+    const auto name = key.get<std::string>();
+    if (depth == 1) step = name;
+    const std::pair place(step, depth == 1 ? std::string() : name);
+    if (!seen.insert(place).second && !twice) twice = KeyTwice{place.first, place.second};
+    return true;
+  });
+}
+
 } // namespace
 
 PipelineOptions readPreset(std::istream& in) {
@@ -168,8 +191,9 @@ PipelineOptions readPreset(std::istream& in, const std::string& file, double met
          FilePlace{file}});
   const auto at = [&](std::size_t place) { return FilePlace{file, lineAt(text, place)}; };
   Json json;
+  std::optional<KeyTwice> twice;
   try {
-    json = Json::parse(text);
+    json = parsed(text, twice);
   } catch (const Json::parse_error& error) {
     throw ShownError(
         {espalier::Shown::tr("a preset is a JSON object of steps, such as {\"contract\": "
@@ -186,6 +210,10 @@ PipelineOptions readPreset(std::istream& in, const std::string& file, double met
   const auto where = [&](const std::string& step, const std::string& name) {
     return at(placeOf(text, step, name));
   };
+  if (twice)
+    throw ShownError({espalier::Shown::tr("\"%1\" stands here and once more: keep one of them"),
+                      {twice->option.empty() ? twice->step : twice->option},
+                      where(twice->step, twice->option)});
   return optionsIn(json, where, true, meters);
 }
 

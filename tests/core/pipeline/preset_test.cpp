@@ -173,6 +173,10 @@ TEST(Preset, OfAFileIsRefusedWithTheLine) {
   EXPECT_THAT(refusal("{\"prune\": {\"length\": 1},\n\"contract\": {\n\"length\": 1}}"),
               StartsWith("pine.json, line 3: ")); // pruning has that option, contraction has not
   EXPECT_EQ(refusal("{\"contract\": {\n\"radius\": 12.5}}"), "");
+  EXPECT_EQ(refusal("{\"contract\": {\n\"radius\": 1,\n\"radius\": 2}}"),
+            "pine.json, line 2: \"radius\" stands here and once more: keep one of them");
+  EXPECT_THAT(refusal("{\"prune\": {},\n\"clean\": {},\n\"prune\": {}}"),
+              StartsWith("pine.json, line 1: \"prune\" stands here and once more"));
 }
 
 } // namespace

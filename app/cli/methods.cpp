@@ -39,8 +39,8 @@ void printText(const MethodsFlags& flags) {
     }
   std::cout
       << "A length can be set as 12.5, in the unit of the scan, as 6sp (point spacings), 0.02h "
-         "(plant\nheights) or, with --unit, as 38mm, 3.8cm, 0.038m; an angle as 30 or 30deg, "
-         "in degrees.\n";
+         "(plant\nheights), 3th (thicknesses of thin wood), 2sc (scatters) or, with --unit, as "
+         "38mm, 3.8cm,\n0.038m; an angle as 30 or 30deg, in degrees.\n";
 }
 
 Json toJson(const Option& option) {

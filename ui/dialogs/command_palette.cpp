@@ -98,6 +98,8 @@ int CommandPalette::match(const QString& text, const QString& typed) {
                             text.contains(" " + word, Qt::CaseInsensitive);
     score += beginsWord ? 10 : 1;
   }
+  const QString phrase = typed.simplified();
+  if (phrase.contains(' ') && text.contains(phrase, Qt::CaseInsensitive)) score += 5;
   return score;
 }
 

@@ -70,9 +70,14 @@ QString NumberBox::taken() const {
   const QString number = tr("A number from %1").arg(range + suffix());
   const bool isKnown = unitOfSymbol(suffix().trimmed()) != LengthUnit::unknown;
   if (isKnown && scale_)
-    return tr("%1; also in mm, cm or m, as 6 sp (spacings) or 0.02 h (heights)").arg(number);
+    return tr("%1; also in mm, cm or m, or as 6 sp (spacings), 0.02 h (heights), 3 th "
+              "(thicknesses of thin wood), 2 sc (scatters)")
+        .arg(number);
   if (isKnown) return tr("%1; also in mm, cm or m").arg(number);
-  return scale_ ? tr("%1; also as 6 sp (spacings) or 0.02 h (heights)").arg(number) : number;
+  return scale_ ? tr("%1; also as 6 sp (spacings), 0.02 h (heights), 3 th (thicknesses of thin "
+                     "wood), 2 sc (scatters)")
+                      .arg(number)
+                : number;
 }
 
 void NumberBox::keyPressEvent(QKeyEvent* event) {

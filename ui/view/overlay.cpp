@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace espalier {
@@ -112,23 +113,37 @@ void paintBalls(QPainter& painter, const Scene& scene, double divider, const Scr
   }
 }
 
-/// What is seen on each side of the divider, at its top.
+/// From where to where the top of the view is free of legends [logical pixels].
+std::pair<double, double> freeAtTop(const std::vector<LegendBox>& legends, Corner corner,
+                                    const QSizeF& size) {
+  std::pair<double, double> free(0, size.width());
+  for (const LegendBox& legend : legends) {
+    if (corner == Corner::topLeft) free.first = std::max(free.first, legend.veil.right());
+    if (corner == Corner::topRight) free.second = std::min(free.second, legend.veil.left());
+  }
+  return free;
+}
+
+/// What is seen on each side of the divider, at its top, from where to where that is free.
 void paintStateNames(QPainter& painter, const Scene& scene, double divider, const SeenSides& seen,
-                     const QSizeF& size) {
+                     const QSizeF& size, const std::pair<double, double>& free) {
   const Palette colors = palette(scene.dark);
   const double x = divider * size.width();
   const QFontMetricsF metrics(painter.font());
   for (const Side side : {Side::left, Side::right}) {
     const QString name = nameOf(scene, side, seen);
     const bool isLeft = side == Side::left;
-    const double room = isLeft ? x : size.width() - x;
-    if (name.isEmpty() || room < 4 * overlayMargin) continue;
-    const bool isAlone = room >= size.width();
-    const QString text = metrics.elidedText(name, Qt::ElideRight, room - 2 * overlayMargin);
+    const double from = isLeft ? free.first : std::max(x, free.first);
+    const double to = isLeft ? std::min(x, free.second) : free.second;
+    if (name.isEmpty() || to - from < 4 * overlayMargin) continue;
+    const bool isAlone = isLeft ? divider >= 1 : divider <= 0;
+    const QString text = metrics.elidedText(name, Qt::ElideRight, to - from - 2 * overlayMargin);
     const double width = metrics.horizontalAdvance(text);
-    const double left = isAlone  ? (size.width() - width) / 2
-                        : isLeft ? x - overlayMargin - width
-                                 : x + overlayMargin;
+    const double middle = std::max(from + overlayMargin + width / 2,
+                                   std::min(size.width() / 2, to - overlayMargin - width / 2));
+    const double left = isAlone  ? middle - width / 2
+                        : isLeft ? to - overlayMargin - width
+                                 : from + overlayMargin;
     const QRectF box(left, overlayMargin, width, metrics.height());
     paintVeil(painter, box.adjusted(-8, -4, 8, 4), colors.backgroundBottom);
     drawText(painter, box, Qt::AlignCenter, text, colors);
@@ -216,12 +231,17 @@ void Overlay::paint(QPainter& painter, const Scene& scene, const Camera& camera,
   paintPreview(painter, preview, screen, scene.dark);
   paintBand(painter, band, scene.dark);
   if (scene.bounds().isEmpty()) return;
-  if (hasLegends) paintLegends(painter, legendsOf(scene, unit, seen), size, legendsIn, scene.dark);
+  const std::vector<Legend> legends =
+      hasLegends ? legendsOf(scene, unit, seen) : std::vector<Legend>();
+  paintLegends(painter, legends, size, legendsIn, scene.dark);
   paintScaleBar(painter, scene, camera, unit, size);
   paintAxes(painter, camera, size, scene.dark);
   if (pivotShown) paintPivot(painter, scene, camera, size);
   paintWord(painter, word, scene.dark, size);
-  paintStateNames(painter, scene, divider, seen, size);
+  paintStateNames(painter, scene, divider, seen, size,
+                  freeAtTop(legendBoxes(legends, size,
+                                        QFontMetricsF(painter.font(), painter.device()), legendsIn),
+                            legendsIn, size));
   if (sight && hasLegends) paintSightKey(painter, *sight, scene.dark);
 }
 

@@ -28,11 +28,16 @@ QStringList linesOf(const MethodSight& sight, LengthUnit unit) {
   const QString points = sight.ball.size() == 1
                              ? SightFlow::tr("1 point")
                              : SightFlow::tr("%1 points").arg(formatCount(sight.ball.size()));
-  return {sight.radius > 0
-              ? SightFlow::tr("%1 within %2").arg(points, formatLength(sight.radius, unit, 3))
-              : points,
-          SightFlow::tr("Linearity %1").arg(numberText(sight.linearity, 2)),
-          SightFlow::tr("Relative density %1").arg(numberText(sight.density, 2))};
+  QStringList lines = {
+      sight.radius > 0
+          ? SightFlow::tr("%1 within %2").arg(points, formatLength(sight.radius, unit, 3))
+          : points,
+      SightFlow::tr("Linearity %1 (1: along a line)").arg(numberText(sight.linearity, 2)),
+      SightFlow::tr("Density %1 (0 thinnest, 1 densest)").arg(numberText(sight.density, 2))};
+  if (sight.circle)
+    lines.append(
+        SightFlow::tr("Circle of radius %1").arg(formatLength(sight.circle->radius, unit, 3)));
+  return lines;
 }
 
 ShownSight shownOf(const MethodSight& sight, const PointCloud& cloud, const Scan& scan,

@@ -15,6 +15,8 @@ TEST(CommandPalette, WantsEveryWordThatIsTyped) {
   EXPECT_GT(CommandPalette::match("Skeleton: Remove Subtree", "TREE"), 0);
   EXPECT_EQ(CommandPalette::match("Skeleton: Remove Subtree", "remove node"), 0);
   EXPECT_GT(CommandPalette::match("Skeleton: Remove Subtree", ""), 0);
+  EXPECT_GT(CommandPalette::match("Preview: Color What Differs", "color what"),
+            CommandPalette::match("View: Colors Span What Is Seen", "color what"));
 }
 
 TEST(CommandPalette, PrefersBeginningsOfWords) {

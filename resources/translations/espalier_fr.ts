@@ -2302,6 +2302,14 @@
         <source>It is about the whole plant, the stem included.</source>
         <translation>Elle entoure toute la plante, tige comprise.</translation>
     </message>
+    <message>
+        <source>no bounds: how radii err is unknown in %1 of it</source>
+        <translation>sans bornes&#xa0;: l’erreur des rayons est inconnue pour %1</translation>
+    </message>
+    <message>
+        <source>from the lowest node to the highest</source>
+        <translation>du nœud le plus bas au plus haut</translation>
+    </message>
 </context>
 <context>
     <name>ReportedPlant</name>
@@ -4310,6 +4318,10 @@
         <source>Redo</source>
         <translation>Rétablir</translation>
     </message>
+    <message>
+        <source>Drop the &amp;Preview</source>
+        <translation>Abandonner l’a&amp;perçu</translation>
+    </message>
 </context>
 <context>
     <name>espalier::Editing</name>
@@ -5776,10 +5788,6 @@ Maj+clic en ajoute d’autres.</translation>
         <translation>rien n’est connu de la plante&#xa0;: ouvrez un scan</translation>
     </message>
     <message>
-        <source>Settings: %1</source>
-        <translation>Réglages&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>Perhaps: %1</source>
         <translation>Peut-être&#xa0;: %1</translation>
     </message>
@@ -6554,16 +6562,16 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <translation>Un nombre de %1</translation>
     </message>
     <message>
-        <source>%1; also in mm, cm or m, as 6 sp (spacings) or 0.02 h (heights)</source>
-        <translation>%1&#xa0;; aussi en mm, cm ou m, ou comme 6 sp (espacements) ou 0.02 h (hauteurs)</translation>
-    </message>
-    <message>
         <source>%1; also in mm, cm or m</source>
         <translation>%1&#xa0;; aussi en mm, cm ou m</translation>
     </message>
     <message>
-        <source>%1; also as 6 sp (spacings) or 0.02 h (heights)</source>
-        <translation>%1&#xa0;; aussi comme 6 sp (espacements) ou 0.02 h (hauteurs)</translation>
+        <source>%1; also in mm, cm or m, or as 6 sp (spacings), 0.02 h (heights), 3 th (thicknesses of thin wood), 2 sc (scatters)</source>
+        <translation>%1&#xa0;; aussi en mm, cm ou m, ou comme 6 sp (espacements), 0.02 h (hauteurs), 3 th (épaisseurs du bois fin), 2 sc (dispersions)</translation>
+    </message>
+    <message>
+        <source>%1; also as 6 sp (spacings), 0.02 h (heights), 3 th (thicknesses of thin wood), 2 sc (scatters)</source>
+        <translation>%1&#xa0;; aussi comme 6 sp (espacements), 0.02 h (hauteurs), 3 th (épaisseurs du bois fin), 2 sc (dispersions)</translation>
     </message>
 </context>
 <context>
@@ -6961,6 +6969,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <source>Wrote %1 projects to %2</source>
         <translation>%1 projets écrits dans %2</translation>
     </message>
+    <message>
+        <source>Show as Worklist</source>
+        <translation>Montrer comme liste de travail</translation>
+    </message>
 </context>
 <context>
     <name>espalier::PlotPanel</name>
@@ -7295,6 +7307,14 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>Wrote %1</source>
         <translation>%1 écrit</translation>
+    </message>
+    <message>
+        <source>%1. What is set otherwise now: %2</source>
+        <translation>%1. Réglé autrement désormais&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Take Back</source>
+        <translation>Revenir en arrière</translation>
     </message>
 </context>
 <context>
@@ -7668,6 +7688,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <source>%1: %2</source>
         <comment>step, note</comment>
         <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Reconstruct: %1</source>
+        <translation>Reconstruire&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -15355,6 +15379,18 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <source>hardly a point lies higher than &quot;from&quot;, %1 above the foot: choose a lower height</source>
         <translation>presque aucun point n’est plus haut que «&#xa0;from&#xa0;», %1 au-dessus du pied&#xa0;: choisissez une hauteur moindre</translation>
     </message>
+    <message>
+        <source>Edges count as truncated cones. It has no bounds: how radii err is known of those that a reconstruction found or a hand typed, which here are under nine tenths of the volume</source>
+        <translation>Les arêtes comptent comme des troncs de cône. Il est sans bornes&#xa0;: l’erreur des rayons n’est connue que de ceux qu’une reconstruction a trouvés ou qu’on a saisis, ici moins de neuf dixièmes du volume</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands here and once more: keep one of them</source>
+        <translation>«&#xa0;%1&#xa0;» est ici et encore une fois&#xa0;: n’en gardez qu’un</translation>
+    </message>
+    <message>
+        <source>the ground was set aside before</source>
+        <translation>le sol a déjà été écarté</translation>
+    </message>
 </context>
 <context>
     <name>espalier::ShownFlow</name>
@@ -15458,14 +15494,6 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>%1 à moins de %2</translation>
     </message>
     <message>
-        <source>Linearity %1</source>
-        <translation>Linéarité %1</translation>
-    </message>
-    <message>
-        <source>Relative density %1</source>
-        <translation>Densité relative %1</translation>
-    </message>
-    <message>
         <source>Preview</source>
         <translation>Aperçu</translation>
     </message>
@@ -15484,6 +15512,18 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>Point at the plant</source>
         <translation>Pointer sur la plante</translation>
+    </message>
+    <message>
+        <source>Linearity %1 (1: along a line)</source>
+        <translation>Linéarité %1 (1&#xa0;: le long d’une ligne)</translation>
+    </message>
+    <message>
+        <source>Density %1 (0 thinnest, 1 densest)</source>
+        <translation>Densité %1 (0 la plus faible, 1 la plus forte)</translation>
+    </message>
+    <message>
+        <source>Circle of radius %1</source>
+        <translation>Cercle de rayon %1</translation>
     </message>
 </context>
 <context>
@@ -15673,10 +15713,6 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>Colorer ce qui diffère</translation>
     </message>
     <message>
-        <source>Colors the skeletons of A and the preview by where they differ</source>
-        <translation>Colore les squelettes de A et de l’aperçu selon les endroits où ils diffèrent</translation>
-    </message>
-    <message>
         <source>Blend Points</source>
         <translation>Interpoler les points</translation>
     </message>
@@ -15691,10 +15727,6 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>the preview is not of the whole scan yet: wait a moment</source>
         <translation>l’aperçu n’est pas encore celui du scan entier&#xa0;: attendez un instant</translation>
-    </message>
-    <message>
-        <source>Kept as A: change a step, and compare in the divided view</source>
-        <translation>Gardé comme A&#xa0;: changez une étape, et comparez dans la vue partagée</translation>
     </message>
     <message>
         <source>A · %1</source>
@@ -15715,6 +15747,14 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>the plant</source>
         <translation>la plante</translation>
+    </message>
+    <message>
+        <source>Colors the preview by where it differs from A, or from the plant, and adds what it lacks</source>
+        <translation>Colore l’aperçu là où il diffère de A, ou de la plante, et ajoute ce qui lui manque</translation>
+    </message>
+    <message>
+        <source>Kept as A: change a step   {compare_divided} compare in a divided view</source>
+        <translation>Gardé comme A&#xa0;: changez une étape   {compare_divided} comparer dans une vue partagée</translation>
     </message>
 </context>
 <context>
@@ -15757,6 +15797,10 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>failed</source>
         <translation>en échec</translation>
+    </message>
+    <message>
+        <source>%1 set</source>
+        <translation>réglés&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -16148,10 +16192,6 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
 <context>
     <name>espalier::SweepCard</name>
     <message>
-        <source>in use</source>
-        <translation>en usage</translation>
-    </message>
-    <message>
         <source>is computed</source>
         <translation>en cours de calcul</translation>
     </message>
@@ -16160,12 +16200,16 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>%1 %2, le meilleur</translation>
     </message>
     <message>
-        <source>%1 is in use</source>
-        <translation>%1 est en usage</translation>
+        <source>set</source>
+        <translation>réglé</translation>
     </message>
     <message>
-        <source>Click to use %1</source>
-        <translation>Cliquer pour utiliser %1</translation>
+        <source>%1 %2 is set</source>
+        <translation>%1 %2 est réglé</translation>
+    </message>
+    <message>
+        <source>Click to set %1 %2</source>
+        <translation>Cliquez pour régler %1 %2</translation>
     </message>
 </context>
 <context>
@@ -16227,16 +16271,37 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>Essaie des valeurs d’une option&#xa0;; un clic en prend une</translation>
     </message>
     <message>
-        <source>%1 of %2 done</source>
-        <translation>%1 sur %2 faits</translation>
-    </message>
-    <message>
         <source>Sweep of %1</source>
         <translation>Balayage de %1</translation>
     </message>
     <message>
         <source>The middle of the view.</source>
         <translation>Le milieu de la vue.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>step, option</comment>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2 values</source>
+        <translation>%1 à %2 valeurs</translation>
+    </message>
+    <message>
+        <source>%1, as set</source>
+        <translation>%1, tel que réglé</translation>
+    </message>
+    <message>
+        <source>%1: stopped, %2 of %3 done</source>
+        <translation>%1&#xa0;: arrêté, %2 sur %3 faits</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 done</source>
+        <translation>%1&#xa0;: %2 sur %3 faits</translation>
+    </message>
+    <message>
+        <source>Set: %1 %2   {reconstruct} make the plant with it</source>
+        <translation>Réglé&#xa0;: %1 %2   {reconstruct} refaire la plante ainsi</translation>
     </message>
 </context>
 <context>

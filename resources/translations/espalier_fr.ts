@@ -15799,8 +15799,8 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>en échec</translation>
     </message>
     <message>
-        <source>%1 set</source>
-        <translation>réglés&#xa0;: %1</translation>
+        <source>%1 set otherwise than by default</source>
+        <translation>%1 réglés autrement que par défaut</translation>
     </message>
 </context>
 <context>

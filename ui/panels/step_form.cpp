@@ -113,9 +113,14 @@ void StepForm::setState(State state, const QString& note, const QString& details
   setRole(*state_, state == State::failed ? "failed" : "state");
   state_->setAccessibleName(shown.name);
   header_->setAccessibleDescription(shown.name);
-  const QString help = shownText(step_.help);
-  const QString stateLine = details.isEmpty() ? shown.name : details;
-  header_->setToolTip(stateLine.isEmpty() ? help : help + QStringLiteral("\n") + stateLine);
+  stateTip_ = details.isEmpty() ? shown.name : details;
+  showTip();
+}
+
+void StepForm::showTip() {
+  QStringList lines = {shownText(step_.help), count_->accessibleName(), stateTip_};
+  lines.removeAll(QString());
+  header_->setToolTip(lines.join('\n'));
 }
 
 void StepForm::setRunnable(bool isRunnable) {
@@ -175,7 +180,10 @@ void StepForm::takeMethod() {
 
 void StepForm::showCount() {
   const std::size_t count = chosenSettings().size() + (method_->currentIndex() != 0 ? 1 : 0);
-  count_->setText(count == 0 ? QString() : tr("%1 set").arg(count));
+  count_->setText(count == 0 ? QString() : QStringLiteral("↺ %1").arg(count));
+  count_->setAccessibleName(count == 0 ? QString()
+                                       : tr("%1 set otherwise than by default").arg(count));
+  showTip();
 }
 
 const Method& StepForm::chosenMethod() const {

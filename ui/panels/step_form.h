@@ -56,7 +56,8 @@ private:
   void showMethod();
   void setFields(const Settings& settings);
   void takeMethod(); // another, with what was set of it before
-  void showCount();  // how much is set otherwise than by default
+  void showTip();
+  void showCount(); // how much is set otherwise than by default
   [[nodiscard]] Settings chosenSettings() const;
   [[nodiscard]] const Method& chosenMethod() const;
 
@@ -68,6 +69,7 @@ private:
   QLabel* note_;
   QLabel* state_;
   State current_ = State::idle;
+  QString stateTip_; // what there is to say of it
   QToolButton* run_;
   QWidget* body_;
   QVBoxLayout* column_;

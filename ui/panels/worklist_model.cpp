@@ -64,6 +64,7 @@ std::filesystem::path endOf(const std::filesystem::path& folder, std::ptrdiff_t 
 std::vector<std::filesystem::path> apartBy(const std::vector<std::filesystem::path>& files) {
   const auto ends = [&](std::ptrdiff_t count) {
     std::vector<std::filesystem::path> all;
+    all.reserve(files.size());
     for (const std::filesystem::path& file : files)
       all.push_back(endOf(file.parent_path(), count));
     return all;

@@ -269,7 +269,7 @@ TEST_F(PreviewTest, AMethodIsFoundAgainAsItWasLeft) {
     emit method->activated(method->currentIndex());
   };
   type("contract", "radius", 0.12);
-  EXPECT_EQ(find<QLabel>("set_of_contract").text(), "1 set");
+  EXPECT_EQ(find<QLabel>("set_of_contract").text(), QString::fromUtf8("↺ 1"));
   const PipelineOptions mine = panel().options();
   choose("adaptive_geodesic");
   EXPECT_FALSE(panel().options().settings.contains("contract"));

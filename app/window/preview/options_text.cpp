@@ -58,32 +58,33 @@ QStringList changesOfScan(const PipelineOptions& before, const PipelineOptions& 
   return parts;
 }
 
-QStringList changesOfSteps(const PipelineOptions& before, const PipelineOptions& after,
-                           const PlantScale& scale, const QString& unit) {
-  QStringList steps = changesOfScan(before, after);
-  if (scale.spacing <= 0) return steps;
+/// What is otherwise of the scan and of each step.
+QStringList changes(const PipelineOptions& before, const PipelineOptions& after,
+                    const PlantScale& scale, const QString& unit) {
+  QStringList parts = changesOfScan(before, after);
+  if (scale.spacing <= 0) return parts;
   for (const Step& step : pipelineSteps())
     if (const QString change = changeOf(step, before, after, scale, unit); !change.isEmpty())
-      steps.append(shownText(step.label) + QStringLiteral(": ") + change);
-  return steps;
+      parts.append(shownText(step.label) + QStringLiteral(": ") + change);
+  return parts;
 }
 
-const QString betweenSteps = QStringLiteral("; ");
+const QString betweenParts = QStringLiteral("; ");
 
 } // namespace
 
 QString changeText(const PipelineOptions& before, const PipelineOptions& after,
                    const PlantScale& scale, const QString& unit) {
-  return changesOfSteps(before, after, scale, unit).join(betweenSteps);
+  return changes(before, after, scale, unit).join(betweenParts);
 }
 
 QString shortChangeText(const PipelineOptions& before, const PipelineOptions& after,
                         const PlantScale& scale, const QString& unit, qsizetype most) {
-  const QStringList steps = changesOfSteps(before, after, scale, unit);
-  QString text = steps.value(0);
-  for (qsizetype i = 1; i < steps.size(); ++i) {
-    if (text.size() + steps[i].size() > most) return text + QStringLiteral("; …");
-    text += betweenSteps + steps[i];
+  const QStringList parts = changes(before, after, scale, unit);
+  QString text = parts.value(0);
+  for (qsizetype i = 1; i < parts.size(); ++i) {
+    if (text.size() + parts[i].size() > most) return text + QStringLiteral("; …");
+    text += betweenParts + parts[i];
   }
   return text;
 }

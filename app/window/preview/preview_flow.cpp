@@ -347,6 +347,7 @@ void PreviewFlow::stop() {
 
 void PreviewFlow::clear() {
   stop();
+  hasFailed_ = false;
   if (!shown_) return;
   shown_.reset();
   parts_.view.setState(Side::right, std::nullopt);

@@ -220,11 +220,10 @@ void SweepFlow::start() {
     trials_.push_back({.options = withValue(options, stepNamed(step), option, value)});
     const QString label = labelOf(option, value, symbol(parts_.document.unit()));
     // Methods begin with their own defaults, but the one that is chosen stays as it is set.
-    const bool isAsSet = option.takesWords() && trials_.back().options.settings.contains(step);
+    const bool isAsSet =
+        &option == &methodOption(stepNamed(step)) && trials_.back().options.settings.contains(step);
     trials_.back().item = {.of = option_->currentText(),
-                           .label = isAsSet && &option == &methodOption(stepNamed(step))
-                                        ? tr("%1, as set").arg(label)
-                                        : label,
+                           .label = isAsSet ? tr("%1, as set").arg(label) : label,
                            .isPending = true};
   }
   next_ = 0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/window/evaluate/evaluation_flow.h"
+#include "core/evaluate/evaluation.h"
 #include "core/io/formats.h"
 #include "core/skeleton/edits.h"
 #include "tests/app/window/project_fixture.h"
@@ -52,6 +54,10 @@ struct EvaluationWindowTest : ProjectWindowTest {
     answer(chooseFile(file), [this] { action("load_reference").trigger(); });
     waitForJob();
     EXPECT_TRUE(waitForScores());
+  }
+  /// None until something is compared.
+  [[nodiscard]] const std::shared_ptr<const Evaluation>& evaluation() {
+    return window().part<EvaluationFlow>().evaluation();
   }
   [[nodiscard]] QString score(const QString& name) { return find<QLabel>("score_" + name).text(); }
   [[nodiscard]] bool waitForScores() {

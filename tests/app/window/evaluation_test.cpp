@@ -1,10 +1,12 @@
 #include "app/window/evaluate/evaluation_text.h"
 #include "app/window/files/load_files.h"
 #include "core/base/error.h"
+#include "core/evaluate/registration/registration.h"
 #include "tests/app/window/evaluation_fixture.h"
 #include "tests/ui/view/pictures.h"
 #include "ui/document/difference_look.h"
 #include "ui/panels/message_banner.h"
+#include "ui/panels/pipeline_panel.h"
 #include "ui/panels/status_line.h"
 #include "ui/plots/plot_view.h"
 #include "ui/view/palette.h"
@@ -48,6 +50,35 @@ TEST_F(EvaluationWindowTest, GivesThePlantItselfAllThatCanBeReached) {
   EXPECT_EQ(errors(), "0 errors");
   key(Qt::Key_F3);
   EXPECT_TRUE(window().statusLine().shownText().startsWith("Nothing differs"));
+}
+
+// Scores of a run would depend on the plant before otherwise.
+TEST_F(EvaluationWindowTest, LaysTheReferenceAnewAfterAReconstruction) {
+  const auto reconstruct = [&](double radius) {
+    PipelineOptions options;
+    options.settings["contract"]["radius"] = fixedAt(radius);
+    window().findChild<PipelinePanel*>()->setOptions(options);
+    key(Qt::Key_R, Qt::ControlModifier);
+    waitForJob();
+  };
+  open({writeScan("scan.xyz")});
+  reconstruct(0.03);
+  const Eigen::Isometry3d elsewhere(Eigen::Translation3d(0.2, 0, 0));
+  const QString reference =
+      write("expert.mtg", moved(test::withoutEntities(document().skeleton()), elsewhere));
+  reconstruct(0.08);
+  load(reference);
+  const Eigen::Vector3d before = evaluation()->shift;
+  reconstruct(0.1);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return evaluation()->shift != before; }, patience));
+  ASSERT_TRUE(waitForScores());
+  const Eigen::Vector3d found = evaluation()->shift;
+  auto& laid = find<QCheckBox>("evaluation_laid");
+  for (const bool isOn : {false, true}) {
+    laid.setChecked(isOn);
+    ASSERT_TRUE(waitForScores());
+  }
+  EXPECT_TRUE(QTest::qWaitFor([&] { return evaluation()->shift == found; }, patience));
 }
 
 TEST_F(EvaluationWindowTest, SaysThatThereIsNoErrorToAcceptOrIgnore) {

@@ -41,7 +41,8 @@ TEST_F(PresetTest, GivesBackWhatItReplaced) {
   mine.set("contract.radius=0.144");
   window().findChild<PipelinePanel*>()->setOptions(mine);
   action("preset_thesis").trigger();
-  EXPECT_TRUE(window().banner().text().contains("What is set otherwise now: Thin: none; Contract: "))
+  EXPECT_TRUE(
+      window().banner().text().contains("What is set otherwise now: Thin: none; Contract: "))
       << window().banner().text().toStdString();
   clickButton("banner_action");
   EXPECT_EQ(shown(), mine);

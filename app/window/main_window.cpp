@@ -32,7 +32,7 @@
 #include <QToolTip>
 
 #include <algorithm>
-#include <ranges>
+#include <iterator>
 
 /// Icons and style live in a static library, which the linker else leaves out. Not in a
 /// namespace, as the macro asks.
@@ -101,8 +101,9 @@ void MainWindow::open(const QStringList& paths) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   const auto mayClose = [this] { // files come first in the list: they let go of the plant
-    return std::ranges::all_of(std::views::reverse(parts_),
-                               [](const auto& part) { return part->mayClose(); });
+    return std::all_of(std::make_reverse_iterator(parts_.end()),
+                       std::make_reverse_iterator(parts_.begin()),
+                       [](const auto& part) { return part->mayClose(); });
   };
   if (!actions_->guarded(mayClose, Refusal::inBanner)) {
     event->ignore();

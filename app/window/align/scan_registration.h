@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace espalier {
@@ -21,7 +22,7 @@ class ScanRegistration {
 public:
   ScanRegistration() = default;
   /// @param start where the scan lies while nothing is known
-  explicit ScanRegistration(const Eigen::Isometry3d& start) : start_(start) {}
+  explicit ScanRegistration(Eigen::Isometry3d start) : start_(std::move(start)) {}
 
   /// A target is picked in the scan that stays, then in the one that is moved: which is next.
   [[nodiscard]] bool wantsFixed() const { return !pending_; }

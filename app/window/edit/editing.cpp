@@ -159,13 +159,13 @@ void Editing::keepToViews(QAction* action) {
 /// The node stepped to is what keys act on, and is on the screen, not at its rim.
 void Editing::showStep() {
   actOnSelected();
-  constexpr int rim = 10; // in a side of the view
+  constexpr double rim = 0.1; // of a side of the view
   PlantView& view = canvas_.view();
   const Eigen::Vector3d place = document_.skeleton()[document_.selection().nodes().back()].position;
   const std::optional<QPointF> at = view.project(place);
-  const QRectF inner = QRectF(view.rect())
-                           .adjusted(view.width() / rim, view.height() / rim, -view.width() / rim,
-                                     -view.height() / rim);
+  const double across = rim * view.width();
+  const double down = rim * view.height();
+  const QRectF inner = QRectF(view.rect()).adjusted(across, down, -across, -down);
   if (!at || !inner.contains(*at)) view.setPivot(place);
 }
 

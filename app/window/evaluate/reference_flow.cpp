@@ -47,7 +47,7 @@ bool isStructure(const QString& path) {
 
 } // namespace
 
-ReferenceFlow::ReferenceFlow(const Parts& parts) : parts_(parts) {
+ReferenceFlow::ReferenceFlow(Parts parts) : parts_(std::move(parts)) {
   addActions();
   keepInProject({.name = "reference",
                  .text = [this] { return text_; },
@@ -137,8 +137,8 @@ void ReferenceFlow::load(const QString& path) {
         return std::pair(std::move(read), isOfScan);
       },
       [this, path](std::pair<Imported<Skeleton>, bool> done) {
-        auto& [read, isOfScan] = done;
-        set({.skeleton = std::move(read.value), .path = path, .isOfScan = isOfScan});
+        Imported<Skeleton> read = std::move(done.first);
+        set({.skeleton = std::move(read.value), .path = path, .isOfScan = done.second});
         QStringList notes = {tr("%1 is the reference now").arg(name())};
         for (const ShownMessage& note : firstNotes(read.notes))
           notes.append(shownText(note));

@@ -38,7 +38,7 @@ public:
     QMainWindow& window;
     std::function<std::optional<ScanReference>()> scan; // of the plant; none: it has none
   };
-  explicit ReferenceFlow(const Parts& parts);
+  explicit ReferenceFlow(Parts parts);
 
   /// Null: there is none.
   [[nodiscard]] const std::shared_ptr<const Skeleton>& skeleton() const { return skeleton_; }

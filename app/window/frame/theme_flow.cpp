@@ -8,9 +8,11 @@
 #include <QSettings>
 #include <QWidget>
 
+#include <utility>
+
 namespace espalier {
 
-ThemeFlow::ThemeFlow(const Parts& parts) : parts_(parts) {
+ThemeFlow::ThemeFlow(Parts parts) : parts_(std::move(parts)) {
   parts_.actions.beginSection(tr("Theme"));
   auto* group = new QActionGroup(this);
   const auto add = [&](Theme theme, const QString& text, const QString& icon) {

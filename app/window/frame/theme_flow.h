@@ -24,7 +24,7 @@ public:
     QWidget& window; // is notified when the system changes
     std::function<bool()> isSystemDark = espalier::isSystemDark;
   };
-  explicit ThemeFlow(const Parts& parts);
+  explicit ThemeFlow(Parts parts);
 
   /// Gives the program the theme that the settings remember.
   void start();

@@ -128,7 +128,7 @@ ReportTable lightTable(const ReportParts& parts) {
 } // namespace
 
 QString nameOf(const TraitRow& row, const ReportNumbers& numbers) {
-  const QString name = numberedText(row.label);
+  QString name = numberedText(row.label);
   switch (row.kind) {
   case TraitKind::length:
     return numbers.inUnit(name);

@@ -39,6 +39,10 @@ std::vector<NodeId> placesOf(const Doubt& doubt) {
 
 } // namespace
 
+bool SuspectsFlow::showsIgnored() const {
+  return kind_ == ignoredKind;
+}
+
 SuspectsFlow::SuspectsFlow(Parts parts) : parts_(std::move(parts)), kind_(allKinds) {
   addActions();
   makePanel();

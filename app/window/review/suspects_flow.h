@@ -53,6 +53,7 @@ public:
 private:
   using What = std::variant<Finding, Doubt>;
 
+  [[nodiscard]] bool showsIgnored() const; // and nothing else
   void addActions();
   void makePanel();
   void connectParts();

@@ -35,7 +35,7 @@ QString SuspectsFlow::placeText(const Finding& finding) const {
   const auto length = [this](double value) {
     return formatLength(value, parts_.document.unit(), 2);
   };
-  const QString node = QString::number(indexOf(finding.node));
+  QString node = QString::number(indexOf(finding.node));
   const qulonglong other = finding.others.empty() ? 0 : indexOf(finding.others.front());
   const qlonglong count = std::llround(finding.amount);
   switch (finding.kind) {
@@ -116,7 +116,7 @@ QString SuspectsFlow::sentenceOf(const What& what) const {
 
 QString SuspectsFlow::titleText() const {
   if (parts_.document.skeleton().isEmpty()) return tr("There is no skeleton to check yet");
-  if (kind_ == ignoredKind)
+  if (showsIgnored())
     return ignoredCount_ == 1 ? tr("1 place is ignored")
                               : tr("%1 places are ignored").arg(formatCount(ignoredCount_));
   if (count_ > 0)

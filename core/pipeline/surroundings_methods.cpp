@@ -39,10 +39,8 @@ void addClothOptions(OptionTable<Options>& table, Path... path) {
 bool isGroundAside(const PipelineState& state, const StandingPoints& standing,
                    const GroundSurface& ground, const std::vector<bool>& isGround) {
   constexpr double most = 0.5; // of the cells that hold ground
-  std::vector<bool> isKept(state.isLeftOut.size());
-  for (const Eigen::Index column : standing.columns)
-    isKept[static_cast<std::size_t>(column)] = true;
   const StandingPoints all = allStandingOf(state);
+  if (all.columns.size() == standing.columns.size()) return false; // nothing was
   const std::vector<float> heights = heightsAbove(ground, all.positions);
   const auto cellOf = [&](const Eigen::Vector3f& place) {
     const Eigen::Array2d cell =
@@ -51,7 +49,7 @@ bool isGroundAside(const PipelineState& state, const StandingPoints& standing,
   };
   std::set<std::pair<double, double>> below;
   for (std::size_t i = 0; i < heights.size(); ++i)
-    if (heights[i] < 0 && !isKept[static_cast<std::size_t>(all.columns[i])])
+    if (heights[i] < 0 && state.isLeftOut[static_cast<std::size_t>(all.columns[i])])
       below.insert(cellOf(all.positions.col(static_cast<Eigen::Index>(i))));
   std::set<std::pair<double, double>> touched;
   for (std::size_t i = 0; i < isGround.size(); ++i)

@@ -50,8 +50,10 @@ public:
   ~EvaluationFlow() override;
 
   void setPlantShown(bool isShown) override;
-  void setChoices(std::vector<ChoiceRecord> records);         // for the report
-  void setMade(std::optional<PipelineOptions> options);       // likewise; none: not known
+  void setChoices(std::vector<ChoiceRecord> records); // for the report
+  /// Of a run that the plant is now from, for the report; none: not known. The reference is laid
+  /// anew.
+  void setMade(std::optional<PipelineOptions> options);
   void setEnvelope(std::optional<ReportedEnvelope> envelope); // for the report of the plant
   void setDark(bool isDark);
 

@@ -14,7 +14,7 @@ struct WithMissed {
 };
 
 /// Adds to `result` the edges of `reference` that are missed, each connected stretch from where it
-/// begins, on the node that would bear it; as a tree of its own where there is none. O(N).
+/// begins, on the node that would bear it; as a tree of its own where there is none. O(N log N).
 /// @param found  differences(result, reference, …)
 [[nodiscard]] WithMissed withMissed(const Skeleton& result, const Skeleton& reference,
                                     const Differences& found);

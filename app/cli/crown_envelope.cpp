@@ -1,11 +1,13 @@
 #include "app/cli/crown_envelope.h"
 
 #include "app/cli/arguments.h"
+#include "core/base/error.h"
 #include "core/pipeline/plant_scale.h"
 #include "core/pipeline/typed_value.h"
 
 #include <cstdio>
 #include <numbers>
+#include <vector>
 
 namespace espalier {
 
@@ -18,11 +20,13 @@ EnvelopedPlant ofSkeleton(const Skeleton& skeleton, UpAxis up) {
   return {.places = placesOf(skeleton), .scale = scaleOf(skeleton, up), .isOfSkeleton = true};
 }
 
-Envelope crownEnvelope(const EnvelopedPlant& plant, const EnvelopeKind& kind,
-                       const std::vector<std::string>& settings, UpAxis up, const std::string& unit,
-                       const Progress& progress) {
-  return envelopeAbout(plant.places, up, kind,
-                       envelopeValues(kind, settings, plant.scale, metersIn(unit)), progress);
+std::vector<double> valuesSet(const EnvelopeKind& kind, const std::vector<std::string>& settings,
+                              const EnvelopedPlant& plant, const std::string& unit) {
+  try {
+    return envelopeValues(kind, settings, plant.scale, metersIn(unit));
+  } catch (const Error& problem) {
+    throw WrongUsage(problem.what());
+  }
 }
 
 CLI::Option* addEnvelopeKind(CLI::App& command, const std::string& option, std::string& name,

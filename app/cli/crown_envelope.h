@@ -24,12 +24,13 @@ struct EnvelopedPlant {
                                       const Progress& progress);
 [[nodiscard]] EnvelopedPlant ofSkeleton(const Skeleton& skeleton, UpAxis up);
 
-/// @param settings  OPTION=VALUE of its kind
+/// The values of the options of a kind.
+/// @param settings  OPTION=VALUE
 /// @param unit      of the plant: "mm"; empty: not known
-/// @throws Error, WrongUsage, Cancelled
-[[nodiscard]] Envelope crownEnvelope(const EnvelopedPlant& plant, const EnvelopeKind& kind,
-                                     const std::vector<std::string>& settings, UpAxis up,
-                                     const std::string& unit, const Progress& progress);
+/// @throws WrongUsage
+[[nodiscard]] std::vector<double> valuesSet(const EnvelopeKind& kind,
+                                            const std::vector<std::string>& settings,
+                                            const EnvelopedPlant& plant, const std::string& unit);
 
 /// Adds an option that takes the name of a kind.
 CLI::Option* addEnvelopeKind(CLI::App& command, const std::string& option, std::string& name,

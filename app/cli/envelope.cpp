@@ -92,9 +92,9 @@ void drawEnvelope(const EnvelopeFlags& flags) {
   const TerminalProgress terminal;
   const Progress& whole = terminal.progress();
   const EnvelopedPlant plant = envelopedIn(flags, whole.part(0, 0.3, "Reading"));
+  const std::vector<double> values = valuesSet(kind, flags.settings, plant, flags.unit);
   const Envelope envelope = about(flags.plant, [&] {
-    return crownEnvelope(plant, kind, flags.settings, flags.up, flags.unit,
-                         whole.part(0.3, 1, "Envelope"));
+    return envelopeAbout(plant.places, flags.up, kind, values, whole.part(0.3, 1, "Envelope"));
   });
   terminal.check();
   terminal.clear();

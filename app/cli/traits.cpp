@@ -122,7 +122,8 @@ ReportedEnvelope envelopeOf(const PlantReportData& data, const TraitsFlags& flag
           .label = kind.form.label,
           .isOfSkeleton = plant.isOfSkeleton,
           .isUsual = true,
-          .envelope = crownEnvelope(plant, kind, {}, flags.up, flags.unit, progress)};
+          .envelope = envelopeAbout(plant.places, flags.up, kind,
+                                    valuesSet(kind, {}, plant, flags.unit), progress)};
 }
 
 /// @throws WrongUsage if nobody can say how much a volume is

@@ -4,9 +4,9 @@
 #include "app/window/edit/editing.h"
 #include "app/window/files/project_flow.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/frame/ignoring_steps.h"
 #include "app/window/preview/preview_flow.h"
 #include "app/window/review/asking_flow.h"
-#include "app/window/review/review_flow.h"
 #include "app/window/view/shown_flow.h"
 #include "ui/document/plant_document.h"
 #include "ui/view/plant_view.h"
@@ -39,7 +39,7 @@ EditFlow::EditFlow(PlantDocument& document, ActionSet& actions)
 void EditFlow::join(const Later& later) {
   later_.emplace(later);
   connect(&later.registration, &RegistrationFlow::changed, this, &EditFlow::refreshHistory);
-  connect(&later.review, &ReviewFlow::takenChanged, this, &EditFlow::refreshHistory);
+  connect(&later.ignoring, &IgnoringSteps::changed, this, &EditFlow::refreshHistory);
   connect(&later.preview, &PreviewFlow::changed, this, &EditFlow::refreshHistory);
   connect(actions_["compare_alone"], &QAction::toggled, this, &EditFlow::refreshHistory);
   connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &EditFlow::noteStep);
@@ -75,28 +75,29 @@ void EditFlow::addHistory() {
 void EditFlow::refreshHistory() {
   const QUndoStack& stack = document_.undoStack();
   const bool isRegistering = later_ && later_->registration.isActive();
-  const bool hasTaken = later_ && later_->review.hasTakenPoints();
+  const bool undoesIgnoring = later_ && later_->ignoring.canUndo();
+  const bool redoesIgnoring = later_ && later_->ignoring.canRedo();
   QAction* undo = actions_["undo"];
   QAction* redo = actions_["redo"];
-  undo->setEnabled(isRegistering ? later_->registration.hasWork() : stack.canUndo() || hasTaken);
-  redo->setEnabled(!isRegistering && stack.canRedo());
-  const QString undone = hasTaken ? tr("Take points for no wood") : stack.undoText();
-  const QString redone = stack.redoText();
+  undo->setEnabled(isRegistering ? later_->registration.hasWork()
+                                 : stack.canUndo() || undoesIgnoring);
+  redo->setEnabled(!isRegistering && (stack.canRedo() || redoesIgnoring));
+  const QString undone = undoesIgnoring ? later_->ignoring.undoText() : stack.undoText();
+  const QString redone = redoesIgnoring ? later_->ignoring.redoText() : stack.redoText();
   const QString drop = tr("Drop the &Preview");
-  undo->setText(endsPreview(stack.index() - 1) ? drop
-                : undone.isEmpty()             ? tr("&Undo")
-                                               : tr("&Undo: %1").arg(undone));
-  redo->setText(endsPreview(stack.index()) ? drop
-                : redone.isEmpty()         ? tr("&Redo")
-                                           : tr("&Redo: %1").arg(redone));
+  undo->setText(!undoesIgnoring && endsPreview(stack.index() - 1) ? drop
+                : undone.isEmpty()                                ? tr("&Undo")
+                                                                  : tr("&Undo: %1").arg(undone));
+  redo->setText(!redoesIgnoring && endsPreview(stack.index()) ? drop
+                : redone.isEmpty()                            ? tr("&Redo")
+                                                              : tr("&Redo: %1").arg(redone));
 }
 
 void EditFlow::undo() {
   if (later_->registration.isActive()) return later_->registration.removeLast();
   Editing& editing = later_->editing;
   if (!editing.isPending() && later_->asking.isRestShown()) return later_->asking.stopAsking();
-  if (!editing.isPending() && later_->review.hasTakenPoints())
-    return later_->review.takePointsBack();
+  if (!editing.isPending() && later_->ignoring.canUndo()) return later_->ignoring.undo();
   if (editing.isPending() || !endsPreview(document_.undoStack().index() - 1) ||
       !later_->preview.drop())
     editing.undo();
@@ -104,6 +105,7 @@ void EditFlow::undo() {
 
 void EditFlow::redo() {
   Editing& editing = later_->editing;
+  if (!editing.isPending() && later_->ignoring.canRedo()) return later_->ignoring.redo();
   if (editing.isPending() || !endsPreview(document_.undoStack().index()) || !later_->preview.drop())
     editing.redo();
 }

@@ -9,11 +9,11 @@ namespace espalier {
 class ActionSet;
 class AskingFlow;
 class Editing;
+class IgnoringSteps;
 class PlantDocument;
 class PreviewFlow;
 class ProjectFlow;
 class RegistrationFlow;
-class ReviewFlow;
 class ShownFlow;
 
 /// What is edited by no tool: undo and redo, all that can be selected, and Escape.
@@ -31,7 +31,7 @@ public:
     const ProjectFlow& projects;
     RegistrationFlow& registration;
     AskingFlow& asking;
-    ReviewFlow& review;
+    IgnoringSteps& ignoring;
   };
   void join(const Later& later);
 

@@ -29,6 +29,7 @@
 #include "app/window/files/turntable_flow.h"
 #include "app/window/frame/action_set.h"
 #include "app/window/frame/help_flow.h"
+#include "app/window/frame/ignoring_steps.h"
 #include "app/window/frame/language_flow.h"
 #include "app/window/frame/panel_dock.h"
 #include "app/window/frame/panel_focus.h"
@@ -168,6 +169,7 @@ void MainWindow::makeReview() {
   auto& distances = parts_.make<ScanDistances>(document_, queue_);
   auto& errors = parts_.make<ExpectedErrorsFlow>(ExpectedErrorsFlow::Parts{
       document_, queue_, distances, [this] { return parts_.get<FindingsFlow>().limits(); }});
+  auto& ignoring = parts_.make<IgnoringSteps>(document_);
   parts_.make<ReviewFlow>(
       ReviewFlow::Parts{
           document_, *view_, *actions_, editing, settings_, *this, reveal(),
@@ -176,7 +178,8 @@ void MainWindow::makeReview() {
           [this](const Finding& finding, bool isIgnored) {
             auto& findings = parts_.get<FindingsFlow>();
             isIgnored ? findings.ignore(finding) : findings.stopIgnoring(finding);
-          }},
+          },
+          ignoring},
       (*actions_)["sign_structure"]);
   const PanelDock::Parts window{*actions_, settings_, *this};
   parts_.make<ShownFlow>(ShownFlow::Parts{document_, *view_, *actions_, editing, window});
@@ -222,9 +225,9 @@ void MainWindow::makePoints(PipelinePanel& pipeline) {
   connect(&findings, &FindingsFlow::limitsChanged, &doubts, &DoubtsFlow::findAnew);
   auto& asking = parts_.make<AskingFlow>(
       AskingFlow::Parts{document_, *view_, *actions_, editing, doubts, distances, *this, reveal()});
-  parts_.make<SuspectsFlow>(SuspectsFlow::Parts{document_, *view_, *actions_, distances, findings,
-                                                doubts, asking, settings_, *this, reveal(),
-                                                [&editing] { editing.actOnSelected(); }});
+  parts_.make<SuspectsFlow>(SuspectsFlow::Parts{
+      document_, *view_, *actions_, distances, findings, doubts, asking, settings_, *this, reveal(),
+      [&editing] { editing.actOnSelected(); }, parts_.get<IgnoringSteps>()});
   parts_.make<HiddenPoints>(
       HiddenPoints::Parts{document_, parts_.get<ShownFlow>(), distances, states});
   parts_.make<PresetFlow>(PresetFlow::Parts{pipeline, *actions_, settings_, *this, document_});
@@ -260,8 +263,9 @@ void MainWindow::makeEvaluation() {
                            [this] { return parts_.get<ProjectFlow>().scanReference(); }});
   parts_.make<VersionsFlow>(
       VersionsFlow::Parts{document_, parts_.get<ProjectFlow>(), reference, *actions_, *this});
-  parts_.make<EvaluationFlow>(
-      EvaluationFlow::Parts{document_, *view_, jobs_, parts_.get<Editing>(), reference, window});
+  parts_.make<EvaluationFlow>(EvaluationFlow::Parts{document_, *view_, jobs_, parts_.get<Editing>(),
+                                                    reference, parts_.get<IgnoringSteps>(),
+                                                    window});
   parts_.make<EnvelopeFlow>(EnvelopeFlow::Parts{document_, *view_, queue_, window});
   parts_.make<RegistrationFlow>(
       RegistrationFlow::Parts{document_, *view_, jobs_, parts_.get<Editing>(),
@@ -296,7 +300,8 @@ void MainWindow::joinEdits() {
   auto& shown = parts_.get<ShownFlow>();
   auto& registration = parts_.get<RegistrationFlow>();
   parts_.get<EditFlow>().join({editing, parts_.get<PreviewFlow>(), shown, parts_.get<ProjectFlow>(),
-                               registration, parts_.get<AskingFlow>(), parts_.get<ReviewFlow>()});
+                               registration, parts_.get<AskingFlow>(),
+                               parts_.get<IgnoringSteps>()});
   connect(&points, &PointsFlow::changed, &shown,
           [this, &shown] { shown.setPointsIsolated(parts_.get<PointStates>().isIsolated()); });
   connect(&registration, &RegistrationFlow::begun, this, &MainWindow::refreshEnabled);

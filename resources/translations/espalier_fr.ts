@@ -4307,10 +4307,6 @@
         <translation>Rétabli&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Take points for no wood</source>
-        <translation>Prendre des points pour autre chose que du bois</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>Annuler</translation>
     </message>
@@ -4741,6 +4737,14 @@
     <message>
         <source>Ignored: %1. The button above the list shows what is ignored</source>
         <translation>Ignoré&#xa0;: %1. Le bouton au-dessus de la liste montre ce qui est ignoré</translation>
+    </message>
+    <message>
+        <source>Show an error again</source>
+        <translation>Réafficher une erreur</translation>
+    </message>
+    <message>
+        <source>Ignore an error</source>
+        <translation>Ignorer une erreur</translation>
     </message>
 </context>
 <context>
@@ -5460,6 +5464,17 @@
     <message>
         <source>Convex hull of branch</source>
         <translation>Enveloppe convexe de la branche</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::IgnoringSteps</name>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Annulé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Redone: %1</source>
+        <translation>Rétabli&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -6598,6 +6613,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>%1: %2</source>
         <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Set to %1: back to the default</source>
+        <translation>Réglé à %1&#xa0;: retour à la valeur par défaut</translation>
     </message>
 </context>
 <context>
@@ -8530,8 +8549,8 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <translation>. Ici&#xa0;: risque %1&#xa0;%</translation>
     </message>
     <message>
-        <source>Undone: Take points for no wood</source>
-        <translation>Annulé&#xa0;: Prendre des points pour autre chose que du bois</translation>
+        <source>Take points for no wood</source>
+        <translation>Prendre des points pour autre chose que du bois</translation>
     </message>
 </context>
 <context>
@@ -16129,6 +16148,22 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>Nothing else to look at: %1 places are ignored</source>
         <translation>Rien d’autre à regarder&#xa0;: %1 endroits sont ignorés</translation>
+    </message>
+    <message>
+        <source>Ignore a doubt</source>
+        <translation>Ignorer un doute</translation>
+    </message>
+    <message>
+        <source>Ignore a finding</source>
+        <translation>Ignorer un constat</translation>
+    </message>
+    <message>
+        <source>Show a doubt again</source>
+        <translation>Réafficher un doute</translation>
+    </message>
+    <message>
+        <source>Show a finding again</source>
+        <translation>Réafficher un constat</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include <QToolTip>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,6 +64,20 @@ double NumberBox::valueFromText(const QString& text) const {
 void NumberBox::fixup(QString& text) const {
   if (const std::optional<double> typed = read(text).value)
     text = textFromValue(std::clamp(*typed, minimum(), maximum())) + suffix();
+}
+
+int NumberBox::decimalsOf(double value) const {
+  const double size = std::abs(value);
+  if (mostDigits_ == 0 || size < 10) return decimals();
+  const int before = static_cast<int>(std::floor(std::log10(size))) + 1;
+  return std::clamp(mostDigits_ - before, 0, decimals());
+}
+
+QString NumberBox::textFromValue(double value) const {
+  const QString text = QDoubleSpinBox::textFromValue(value);
+  const QString shorter = locale().toString(value, 'f', decimalsOf(value));
+  const bool isTheSame = locale().toDouble(shorter) == locale().toDouble(text);
+  return isTheSame ? shorter : text;
 }
 
 QString NumberBox::taken() const {

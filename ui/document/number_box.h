@@ -26,11 +26,17 @@ public:
   [[nodiscard]] QValidator::State validate(QString& text, int& cursor) const override;
   [[nodiscard]] double valueFromText(const QString& text) const override;
   void fixup(QString& text) const override;
+  [[nodiscard]] QString textFromValue(double value) const override;
   /// What may be typed here, in words.
   [[nodiscard]] QString taken() const;
 
   /// Of a length that may be typed in spacings of the points and heights of the plant.
   void setScale(const PlantScale& scale) { scale_ = scale; }
+  /// How many digits there is room for: a value of more digits before its point shows fewer after
+  /// it, where it has none but zeros there. 0, as at first: as many as decimals() says.
+  void setMostDigits(int digits) { mostDigits_ = digits; }
+  /// How many digits a value has after its point here.
+  [[nodiscard]] int decimalsOf(double value) const;
 
 protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -44,6 +50,7 @@ private:
   [[nodiscard]] std::optional<double> factorOf(ValueUnit unit) const;
 
   std::optional<PlantScale> scale_;
+  int mostDigits_ = 0;
 };
 
 } // namespace espalier

@@ -61,6 +61,7 @@ NumberField::NumberField(const Option& option, QGridLayout& grid, QWidget& paren
   number_->setAlignment(Qt::AlignRight);
   number_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   number_->setFixedWidth(84);
+  number_->setMostDigits(5);
   number_->setAccessibleName(label().text());
   number_->findChild<QLineEdit*>()->installEventFilter(this);
   slider_->setAccessibleName(label().text());
@@ -143,7 +144,7 @@ double NumberField::valueAt(double place) const {
   if (option().kind == OptionKind::length)
     value = minimum > 0 ? minimum * std::pow(maximum / minimum, place)
                         : maximum * place * place * place;
-  const double unit = std::pow(10, -number_->decimals());
+  const double unit = std::pow(10, -number_->decimalsOf(value));
   return std::clamp(std::round(value / unit) * unit, minimum, maximum);
 }
 

@@ -30,7 +30,6 @@ OptionField::OptionField(const Option& option, QWidget& parent)
   reset_->setText(QStringLiteral("↺"));
   reset_->setAutoRaise(true);
   reset_->setFixedSize(20, 20);
-  reset_->setToolTip(tr("Back to the default"));
   reset_->setAccessibleName(tr("Back to the default"));
   QSizePolicy keepsPlace = reset_->sizePolicy();
   keepsPlace.setRetainSizeWhenHidden(true); // so that columns do not jump
@@ -72,6 +71,10 @@ void OptionField::show() {
   label_->setText(needed ? tr("%1: %2").arg(name, *needed) : name);
   setRole(*label_, needed ? "warning" : "");
   reset_->setVisible(chosen_.has_value());
+  const bool isRule = chosen_ && !chosen_->isFixed(); // the field shows what it is for this plant
+  reset_->setToolTip(
+      isRule ? tr("Set to %1: back to the default").arg(QString::fromStdString(chosen_->text()))
+             : tr("Back to the default"));
 }
 
 } // namespace espalier

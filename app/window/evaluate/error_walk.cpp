@@ -2,6 +2,7 @@
 
 #include "app/window/edit/editing.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/frame/ignoring_steps.h"
 #include "app/window/frame/key_hints.h"
 #include "core/base/error.h"
 #include "core/evaluate/differences/accept_reference.h"
@@ -256,16 +257,25 @@ void ErrorWalk::accept() {
 void ErrorWalk::toggleIgnored() {
   const DifferingPart part = chosen();
   const bool wasIgnored = isIgnored(part);
+  const std::vector<DifferingPart> before = ignored_;
   if (wasIgnored)
     std::erase_if(ignored_, [&](const DifferingPart& other) {
       return isSame(other, part, evaluation_->tolerance);
     });
   else
     ignored_.push_back({.kind = part.kind, .nodes = {}, .at = part.at});
+  parts_.ignoring.add({.text = wasIgnored ? tr("Show an error again") : tr("Ignore an error"),
+                       .undo = [this, before] { ignoreOnly(before); },
+                       .redo = [this, now = ignored_] { ignoreOnly(now); }});
   list();
   emit noted(wasIgnored ? tr("Listed again: %1").arg(titleOf(part.kind))
                         : tr("Ignored: %1. The button above the list shows what is ignored")
                               .arg(titleOf(part.kind)));
+  emit ignoredChanged();
+}
+
+void ErrorWalk::ignoreOnly(const std::vector<DifferingPart>& parts) {
+  setIgnored(parts);
   emit ignoredChanged();
 }
 

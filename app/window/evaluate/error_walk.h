@@ -16,6 +16,7 @@ namespace espalier {
 class ActionSet;
 class DifferencesPanel;
 class Editing;
+class IgnoringSteps;
 class JobSlot;
 class PlantDocument;
 class PlantView;
@@ -33,6 +34,7 @@ public:
     JobSlot& jobs;
     ActionSet& actions;
     Editing& editing;
+    IgnoringSteps& ignoring;
     std::function<QString()> version; // that it is compared with; empty: with another structure
   };
   explicit ErrorWalk(Parts parts);
@@ -52,6 +54,7 @@ private:
   void addActions();
   void list();
   [[nodiscard]] bool isIgnored(const DifferingPart& part) const;
+  void ignoreOnly(const std::vector<DifferingPart>& parts); // and notes it
   void step(int by);
   void goTo(const DifferingPart& part);
   void mark(const std::optional<DifferingPart>& part);

@@ -6,6 +6,7 @@
 #include "app/window/files/file_filters.h"
 #include "app/window/files/load_files.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/frame/ignoring_steps.h"
 #include "core/base/error.h"
 #include "core/evaluate/match/edit_table.h"
 #include "core/evaluate/study/ranking.h"
@@ -64,6 +65,7 @@ EvaluationFlow::EvaluationFlow(const Parts& parts)
   edits_->fillMenu(*editsMenu_);
   errors_ = std::make_unique<ErrorWalk>(ErrorWalk::Parts{
       parts_.document, parts_.view, parts_.jobs, parts_.window.actions, parts_.editing,
+      parts_.ignoring,
       [this] { return parts_.reference.isVersion() ? parts_.reference.name() : QString(); }});
   report_ = std::make_unique<ReportFlow>(ReportFlow::Parts{parts_.document, parts_.jobs,
                                                            parts_.reference, parts_.window,
@@ -309,6 +311,7 @@ void EvaluationFlow::takeIgnored() {
   reference_ = key;
   const auto before = ignoredOf_.extract(key);
   errors_->setIgnored(before ? before.mapped() : std::vector<DifferingPart>());
+  parts_.ignoring.forget();
   emit changed();
 }
 

@@ -25,6 +25,7 @@ class QMenu;
 namespace espalier {
 
 class EvaluationPanel;
+class IgnoringSteps;
 class PlotView;
 struct EvaluationText;
 
@@ -44,6 +45,7 @@ public:
     JobSlot& jobs;
     Editing& editing;
     ReferenceFlow& reference;
+    IgnoringSteps& ignoring;
     PanelDock::Parts window;
   };
   explicit EvaluationFlow(const Parts& parts);

@@ -218,11 +218,19 @@ void DoubtsFlow::ignore(const Doubt& doubt) {
   note(ignored, doubt);
 }
 
-void DoubtsFlow::stopIgnoring(const Doubt& doubt) {
+std::vector<AnsweredDoubt> DoubtsFlow::stopIgnoring(const Doubt& doubt) {
   const double near = 4 * parts_.document.scale().spacing;
-  std::erase_if(answered_, [&](const AnsweredDoubt& one) {
-    return leavesOut(one) && isAbout(one, doubt, near);
-  });
+  std::vector<AnsweredDoubt> left, taken;
+  for (AnsweredDoubt& one : answered_)
+    (leavesOut(one) && isAbout(one, doubt, near) ? taken : left).push_back(std::move(one));
+  answered_ = std::move(left);
+  learnAnew();
+  keepAnswers();
+  return taken;
+}
+
+void DoubtsFlow::restore(const std::vector<AnsweredDoubt>& taken) {
+  answered_.insert(answered_.end(), taken.begin(), taken.end());
   learnAnew();
   keepAnswers();
 }

@@ -47,8 +47,10 @@ public:
   [[nodiscard]] const std::vector<Doubt>& ignored() const { return ignored_; }
   /// Whether an answer that holds is that no branch is along the points of a finding.
   [[nodiscard]] bool isLeftOut(const Finding& finding) const;
-  void ignore(const Doubt& doubt);       // it is not asked until it is ignored no more
-  void stopIgnoring(const Doubt& doubt); // also if it was said to be none
+  void ignore(const Doubt& doubt); // it is not asked until it is ignored no more
+  /// Likewise if it was said to be none. @return what left it out, for restore()
+  std::vector<AnsweredDoubt> stopIgnoring(const Doubt& doubt);
+  void restore(const std::vector<AnsweredDoubt>& taken);
   [[nodiscard]] bool isKnown() const { return ratings_.has_value(); } // they were found once
   /// Those of the plant as it is are being found.
   [[nodiscard]] bool isBusy() const override;

@@ -1,7 +1,7 @@
 #include "app/window/review/findings_flow.h"
 
+#include "app/window/frame/last_step.h"
 #include "app/window/review/findings_text.h"
-#include "app/window/review/last_step.h"
 #include "core/project/work_state.h"
 #include "core/skeleton/checks.h"
 #include "core/skeleton/checks_of_scan.h"

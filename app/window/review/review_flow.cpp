@@ -173,19 +173,16 @@ void ReviewFlow::connectParts() {
   connect(&again_, &QTimer::timeout, this, &ReviewFlow::describeAgain);
   connect(&document, &PlantDocument::skeletonEdited, &again_, qOverload<>(&QTimer::start));
   connect(&parts_.errors, &ExpectedErrorsFlow::changed, &again_, qOverload<>(&QTimer::start));
-  connect(&document.undoStack(), &QUndoStack::indexChanged, this, &ReviewFlow::followSteps);
   connect(&document, &PlantDocument::skeletonReplaced, this, [this] {
     at_.clear();
     atPoints_.clear();
     doubted_.clear();
     awaited_.reset();
-    forgetTaken();
   });
   for (auto signal : {&PlantDocument::scanChanged, &PlantDocument::leftOutChanged})
     connect(&document, signal, this, [this] { // points have other numbers
       atPoints_.clear();
       awaited_.reset();
-      forgetTaken();
       showPlace();
     });
   connect(dock_, &PanelDock::shown, &parts_.errors, &ExpectedErrorsFlow::setWanted);

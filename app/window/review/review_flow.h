@@ -22,6 +22,7 @@ namespace espalier {
 class ActionSet;
 class Editing;
 class ExpectedErrorsFlow;
+class IgnoringSteps;
 class PanelDock;
 class PlantDocument;
 class PlantView;
@@ -52,6 +53,7 @@ public:
     ExpectedErrorsFlow& errors;
     std::function<bool(const Finding&)> isIgnored; // of points without wood: they are looked at
     std::function<void(const Finding&, bool)> setIgnored;
+    IgnoringSteps& ignoring;
   };
   /// @param sign  the action that the panel offers at its foot
   ReviewFlow(const Parts& parts, QAction* sign);
@@ -63,13 +65,8 @@ public:
   [[nodiscard]] const QString& reviewer() const { return reviewer_; }
   void setReviewer(const QString& name);
 
-  /// Whether the last that was done is that points were taken for no wood.
-  [[nodiscard]] bool hasTakenPoints() const;
-  void takePointsBack(); // the last of them; pre: hasTakenPoints()
-
 signals:
   void reviewerChanged(const QString& name);
-  void takenChanged();
 
 private:
   void addWalkActions();
@@ -94,8 +91,7 @@ private:
   [[nodiscard]] std::vector<Eigen::Vector3d> placesAt() const; // of the points one is at
   [[nodiscard]] bool isAtPoints() const;
   void takePoints();
-  void followSteps(int index); // of the undo stack
-  void forgetTaken();
+  void bringBack(const std::vector<Finding>& points); // that were taken
   void markReviewed();
   void markDoubtful();
   void goOnAfter(bool wasDoubtful);
@@ -120,12 +116,6 @@ private:
   std::vector<NodeId> at_;        // where one is; may hold nodes that are gone
   std::vector<Finding> atPoints_; // clusters of points, and at_ has the node near them
   std::vector<Finding> doubted_;  // points that are doubtful, until the program ends
-  struct Taken {
-    int index = 0; // of the undo stack when it was done
-    std::vector<Finding> points;
-  };
-  std::vector<Taken> taken_; // for no wood
-  int index_ = 0;            // of the undo stack
   WalkOrder order_ = WalkOrder::alongPlant;
   std::optional<std::pair<WalkTo, WalkDirection>> awaited_; // once errors are known
   QString placeText_;                                       // of at_

@@ -1,6 +1,7 @@
 // Where the walk of the review leads, and what is shown there.
 #include "app/window/edit/editing.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/frame/ignoring_steps.h"
 #include "app/window/frame/key_hints.h"
 #include "app/window/frame/panel_dock.h"
 #include "app/window/review/error_reason_text.h"
@@ -223,10 +224,19 @@ void ReviewFlow::takePoints() {
   const std::vector<ReviewStop> all = stops();
   const auto from = placeIn(all);
   const auto next = walk(parts_.document.skeleton(), all, from, WalkTo::toDo);
-  taken_.push_back({.index = index_, .points = atPoints_});
-  for (const Finding& cluster : taken_.back().points)
-    parts_.setIgnored(cluster, true);
-  emit takenChanged();
+  const std::vector<Finding> taken = atPoints_;
+  const auto take = [this, taken] {
+    for (const Finding& cluster : taken)
+      parts_.setIgnored(cluster, true);
+  };
+  const auto takeAgain = [this, take] {
+    take();
+    goOnAfter(false);
+  };
+  take();
+  parts_.ignoring.add({.text = tr("Take points for no wood"),
+                       .undo = [this, taken] { bringBack(taken); },
+                       .redo = takeAgain});
   if (!next || next == from) return goOnAfter(false);
   const std::vector<ReviewStop> left = stops();
   const auto there = std::ranges::find_if(left, [&](const ReviewStop& stop) {
@@ -236,35 +246,16 @@ void ReviewFlow::takePoints() {
   goTo(left, static_cast<std::size_t>(there - left.begin()));
 }
 
-bool ReviewFlow::hasTakenPoints() const {
-  return !taken_.empty() && taken_.back().index == index_;
-}
-
-void ReviewFlow::takePointsBack() {
-  const std::vector<Finding> last = std::move(taken_.back().points);
-  taken_.pop_back();
-  for (const Finding& cluster : last)
+void ReviewFlow::bringBack(const std::vector<Finding>& points) {
+  for (const Finding& cluster : points)
     parts_.setIgnored(cluster, false);
-  emit takenChanged();
   const std::vector<ReviewStop> all = stops();
   const ExpectedErrors* known = parts_.errors.now();
   const auto there = std::ranges::find_if(all, [&](const ReviewStop& stop) {
     return std::ranges::any_of(
-        stop.clusters, [&](std::size_t i) { return isSame(known->clusters[i], last.front()); });
+        stop.clusters, [&](std::size_t i) { return isSame(known->clusters[i], points.front()); });
   });
   if (there != all.end()) goTo(all, static_cast<std::size_t>(there - all.begin()));
-  emit noted(tr("Undone: Take points for no wood"));
-}
-
-/// What was done behind a step that is made anew is none of what led here.
-void ReviewFlow::followSteps(int index) {
-  if (index > std::exchange(index_, index))
-    std::erase_if(taken_, [index](const Taken& one) { return one.index >= index; });
-  emit takenChanged();
-}
-
-void ReviewFlow::forgetTaken() {
-  if (!std::exchange(taken_, {}).empty()) emit takenChanged();
 }
 
 /// Shows nodes with some of what is around them, from their best side.

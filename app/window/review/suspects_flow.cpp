@@ -440,27 +440,6 @@ void SuspectsFlow::leaveFinding() {
     parts_.document.pointSelection().clear();
 }
 
-void SuspectsFlow::toggleIgnored() {
-  const auto row = panel_->current();
-  if (!row || !current_) {
-    emit noted(tr("Choose a finding or a doubt to ignore it"));
-    return;
-  }
-  const What what = *current_;
-  const bool isIgnored = panel_->suspects()[*row].isIgnored();
-  if (std::holds_alternative<Doubt>(what)) {
-    const auto& doubt = std::get<Doubt>(what);
-    isIgnored ? parts_.doubts.stopIgnoring(doubt) : parts_.doubts.ignore(doubt);
-  } else {
-    const auto& finding = std::get<Finding>(what);
-    isIgnored ? parts_.findings.stopIgnoring(finding) : parts_.findings.ignore(finding);
-  }
-  const std::size_t count = panel_->suspects().size();
-  if (isIgnored || panel_->current() || count == 0) return;
-  panel_->setCurrent(std::min(*row, count - 1));
-  choose(std::min(*row, count - 1)); // keys act on what the list names
-}
-
 void SuspectsFlow::selectAll() {
   dock_->bringToFront();
   parts_.findings.checkNow();

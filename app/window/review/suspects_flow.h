@@ -23,6 +23,7 @@ namespace espalier {
 class ActionSet;
 class AskingFlow;
 class FindingsFlow;
+class IgnoringSteps;
 class PanelDock;
 class PlantView;
 class SuspectsPanel;
@@ -47,6 +48,7 @@ public:
     QMainWindow& window;
     Reveal reveal;
     std::function<void()> actOnSelected; // keys, whatever the pointer is on, until it moves
+    IgnoringSteps& ignoring;
   };
   explicit SuspectsFlow(Parts parts);
 
@@ -83,6 +85,9 @@ private:
   void leaveFinding();
   void showAsked(const std::optional<Doubt>& doubt, bool isByHand);
   void toggleIgnored();
+  void ignore(const What& what, const std::vector<AnsweredDoubt>& as = {});
+  std::vector<AnsweredDoubt> showAgain(const What& what);
+  void bringBack(const What& what);
   void showAction();
   void selectAll();
   enum class Listed : std::uint8_t { all, inView, selected, axes };

@@ -46,7 +46,7 @@ TEST_F(EnvelopeCommand, TakesOptionsOfTheKind) {
   const json narrow = numbers({"--kind", "alpha", "--set", "radius=0.05 heights"});
   const json wide = numbers({"--kind", "alpha", "--set", "radius=0.5 heights"});
   EXPECT_LT(narrow["volume"], wide["volume"]);
-  expectRefusal(runProgram({"envelope", scan_, "--kind", "alpha", "--set", "radios=3"}), 1,
+  expectRefusal(runProgram({"envelope", scan_, "--kind", "alpha", "--set", "radios=3"}), 2,
                 {"has no option \"radios\""});
 }
 

@@ -415,6 +415,11 @@ TEST_F(EvaluationWindowTest, IgnoredErrorsLeaveTheListAndAreKeptInTheProject) {
   EXPECT_EQ(action("ignore_error").text(), "Show Error Again");
   key(Qt::Key_F3, Qt::ControlModifier);
   EXPECT_EQ(errors(), "2 errors");
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(errors(), "1 error");
+  EXPECT_EQ(window().statusLine().shownText(), "Undone: Show an error again");
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(errors(), "2 errors");
 }
 
 TEST_F(EvaluationWindowTest, WhatIsIgnoredAgainstOneReferenceIsShownAgainstAnother) {

@@ -108,6 +108,8 @@ TEST_F(ReviewByRiskTest, UndoBringsPointsBackThatWereTakenForNoWood) {
   EXPECT_EQ(document().pointSelection().points(), points);
   EXPECT_EQ(label("review_place"), left);
   EXPECT_EQ(window().statusLine().shownText(), "Undone: Take points for no wood");
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_FALSE(isAtPoints()) << "they are taken for none again";
 }
 
 TEST_F(ReviewByRiskTest, DescribesTheStopAsItIsAfterAnUndo) {

@@ -344,6 +344,10 @@ TEST_F(SuspectsTest, ADoubtThatIsIgnoredIsNotAskedUntilItIsShownAgain) {
   key(Qt::Key_F4, Qt::ControlModifier);
   EXPECT_TRUE(std::ranges::any_of(doubts(), isDoubt));
   EXPECT_TRUE(kinds().currentText().startsWith("All kinds"));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(std::ranges::none_of(doubts(), isDoubt)) << "it is ignored as before";
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(std::ranges::any_of(doubts(), isDoubt));
 }
 
 // Its answers go with the history, and with them the order of the list, whose findings are of the

@@ -71,6 +71,17 @@ TEST_F(NumberBoxTest, SaysWhatItTakesWhereALetterIsNone) {
   EXPECT_FALSE(box_.taken().contains("cm"));
 }
 
+TEST_F(NumberBoxTest, HasRoomForItsDigits) {
+  box_.setMostDigits(5);
+  box_.setRange(0, 1000);
+  EXPECT_DOUBLE_EQ(typed("0.25"), 0.25);
+  EXPECT_EQ(box_.text(), QString("0.2500\u202fm"));
+  EXPECT_DOUBLE_EQ(typed("100"), 100);
+  EXPECT_EQ(box_.text(), QString("100.00\u202fm"));
+  EXPECT_DOUBLE_EQ(typed("100.1234"), 100.1234);
+  EXPECT_EQ(box_.text(), QString("100.1234\u202fm")) << "no digit of the value is lost";
+}
+
 TEST_F(NumberBoxTest, KnowsNoLengthsInAnAngle) {
   box_.setRange(0, 90);
   box_.setSuffix("°");

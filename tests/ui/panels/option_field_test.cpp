@@ -56,6 +56,23 @@ TEST(OptionField, OfAChoiceIsAListOfItsWords) {
   EXPECT_EQ(words.currentText(), "Fast");
 }
 
+TEST(OptionField, NamesTheRuleThatItsNumberFollowsFrom) {
+  Form form({.name = "reach",
+             .label = "Reach",
+             .kind = OptionKind::length,
+             .rule = spacings(8),
+             .minimum = 1,
+             .maximum = 100,
+             .help = "How far."});
+  form.field->setScale({.spacing = 0.5, .height = 100}, "m");
+  form.field->choose(spacings(6));
+  EXPECT_EQ(form.widget.findChild<QDoubleSpinBox*>("reach")->value(), 3);
+  const auto& reset = *form.widget.findChild<QToolButton*>();
+  EXPECT_EQ(reset.toolTip(), "Set to 6 point spacings: back to the default");
+  form.field->choose(3.5);
+  EXPECT_EQ(reset.toolTip(), "Back to the default");
+}
+
 TEST(OptionField, OfAFlagIsABoxToCheck) {
   Form form(dry());
   auto& box = *form.widget.findChild<QCheckBox*>("dry");

@@ -72,6 +72,27 @@ ShownMessage warningOfNoRadii(ComparedAs as) {
           : Shown::tr("the reference has no radii: its light is left out; estimate radii first")};
 }
 
+std::optional<ShownMessage> warningOfNoRadii(const Skeleton& plant) {
+  constexpr double few = 0.01; // as of tips, which end in a point in many files
+  double all = 0;
+  double bare = 0;
+  for (const NodeId id : plant.ids()) {
+    if (!plant[id].parent) continue;
+    const Node& parent = plant[*plant[id].parent];
+    const double length = (plant[id].position - parent.position).norm();
+    all += length;
+    if (plant[id].radius <= 0 && parent.radius <= 0) bare += length;
+  }
+  if (bare < few * all || bare == 0) return std::nullopt;
+  if (bare == all)
+    return ShownMessage{
+        Shown::tr("the plant has no radii: its volume, areas, diameters and light are left out or "
+                  "0; estimate radii first")};
+  return ShownMessage{Shown::tr("%1 % of the length has no radii: volume, areas, diameters and "
+                                "light lack that wood; estimate radii first"),
+                      {plainDecimal(std::round(100 * bare / all))}};
+}
+
 std::optional<ShownMessage> warningOfSize(const Traits& result, const Traits& reference) {
   const double quotient = result.extent.norm() / reference.extent.norm();
   const bool isLarger = quotient > 1;

@@ -22,6 +22,9 @@ namespace espalier {
 
 /// A structure without radii, the light on which is left out.
 [[nodiscard]] ShownMessage warningOfNoRadii(ComparedAs as);
+/// A structure by itself of which a hundredth of the length or more lies between nodes without
+/// radii: what follows from radii lacks that wood. O(N)
+[[nodiscard]] std::optional<ShownMessage> warningOfNoRadii(const Skeleton& plant);
 
 /// Structures of very different size: the units, where the ratio is that of two of mm, cm and m.
 [[nodiscard]] std::optional<ShownMessage> warningOfSize(const Traits& result,

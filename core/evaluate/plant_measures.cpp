@@ -36,11 +36,10 @@ PlantMeasures plantMeasures(const Skeleton& plant, const PlantMeasureOptions& op
   measures.stemDiameter = stem.value;
   measures.stemMissing = stem.missing;
   if (const auto ofTrees = warningOfTrees(measures.traits)) measures.warnings.push_back(*ofTrees);
-  if (options.light) {
+  if (const auto ofRadii = warningOfNoRadii(upright)) measures.warnings.push_back(*ofRadii);
+  if (options.light)
     measures.light =
         lightOn(upright, *options.light, progress.part(0, 1, Shown::tr("Measuring light")));
-    if (!measures.light) measures.warnings.push_back(warningOfNoRadii(ComparedAs::plant));
-  }
   progress.update(1);
   return measures;
 }

@@ -495,7 +495,7 @@
     </message>
     <message>
         <source>Lost ends</source>
-        <translation>Extrémités perdues</translation>
+        <translation>Bouts perdus</translation>
     </message>
     <message>
         <source>Ends of branches with no tip of the skeleton within 7 spacings, or without a skeleton no contracted point</source>
@@ -15409,6 +15409,14 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>the ground was set aside before</source>
         <translation>le sol a déjà été écarté</translation>
+    </message>
+    <message>
+        <source>the plant has no radii: its volume, areas, diameters and light are left out or 0; estimate radii first</source>
+        <translation>la plante n’a pas de rayons&#xa0;: son volume, ses surfaces, ses diamètres et sa lumière manquent ou valent 0&#xa0;; estimez d’abord les rayons</translation>
+    </message>
+    <message>
+        <source>%1 % of the length has no radii: volume, areas, diameters and light lack that wood; estimate radii first</source>
+        <translation>%1&#xa0;% de la longueur est sans rayons&#xa0;: ce bois manque au volume, aux surfaces, aux diamètres et à la lumière&#xa0;; estimez d’abord les rayons</translation>
     </message>
 </context>
 <context>

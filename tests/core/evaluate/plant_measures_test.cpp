@@ -111,10 +111,29 @@ TEST(PlantMeasures, FollowTheAxisThatIsUp) {
   }
 }
 
+// Tips without a radius are cones, as many files have them.
+TEST(PlantMeasures, WarnOfWoodWithoutRadii) {
+  Skeleton plant = test::stick(5);
+  const std::vector<NodeId> ids = plant.ids();
+  plant.setRadius(ids.back(), 0);
+  EXPECT_TRUE(plantMeasures(plant).warnings.empty());
+  plant.setRadius(ids[ids.size() - 2], 0);
+  const PlantMeasures ofPart = plantMeasures(plant, {.light = someLight});
+  ASSERT_EQ(ofPart.warnings.size(), 1U);
+  EXPECT_EQ(inEnglish(ofPart.warnings.front()),
+            "25 % of the length has no radii: volume, areas, diameters and light lack that wood; "
+            "estimate radii first");
+  for (const NodeId id : ids)
+    plant.setRadius(id, 0);
+  const PlantMeasures ofNone = plantMeasures(plant);
+  ASSERT_EQ(ofNone.warnings.size(), 1U);
+  EXPECT_THAT(inEnglish(ofNone.warnings.front()), testing::StartsWith("the plant has no radii"));
+}
+
 TEST(PlantMeasures, WarnOfSeveralTrees) {
   Skeleton two = test::stick(5);
-  const NodeId foot = two.add({.position = {3, 0, 0}});
-  two.add({.position = {3, 0, 1}, .parent = foot});
+  const NodeId foot = two.add({.position = {3, 0, 0}, .radius = 0.1});
+  two.add({.position = {3, 0, 1}, .radius = 0.1, .parent = foot});
   const PlantMeasures measures = plantMeasures(two);
   ASSERT_EQ(measures.warnings.size(), 1U);
   EXPECT_THAT(inEnglish(measures.warnings.front()),

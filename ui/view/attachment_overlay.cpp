@@ -11,8 +11,8 @@
 namespace espalier {
 namespace {
 
-constexpr double width = 3;          // [logical pixels], as all below
-constexpr double rim = 2;            // about lines, so that they stand out on the plant
+constexpr double lineWidth = 3;      // [logical pixels], as all below
+constexpr double lineRim = 2;        // about lines, so that they stand out on the plant
 constexpr double ring = 8;           // radius
 constexpr double arrow = 6;          // long
 constexpr double betweenArrows = 36; // of arrows
@@ -33,9 +33,9 @@ public:
 
   template <class Draw> void draw(const Draw& draw, Qt::PenStyle style = Qt::SolidLine) const {
     painter_.setBrush(Qt::NoBrush);
-    painter_.setPen(QPen(toQt(rimColor_), width + rim, style, Qt::FlatCap, Qt::RoundJoin));
+    painter_.setPen(QPen(toQt(rimColor_), lineWidth + lineRim, style, Qt::FlatCap, Qt::RoundJoin));
     draw();
-    painter_.setPen(QPen(toQt(color_), width, style, Qt::FlatCap, Qt::RoundJoin));
+    painter_.setPen(QPen(toQt(color_), lineWidth, style, Qt::FlatCap, Qt::RoundJoin));
     draw();
   }
 

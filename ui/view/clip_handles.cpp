@@ -187,9 +187,9 @@ void ClipHandles::paintBox(QPainter& painter, const Sight& sight, const QColor& 
   for (unsigned corner = 0; corner < 8; ++corner)
     for (unsigned axis = 1; axis < 8; axis *= 2) {
       if ((corner & axis) != 0) continue;
-      using Corner = Eigen::AlignedBox3d::CornerType;
-      const auto from = pixelOf(sight.screen, box.corner(Corner(corner)));
-      const auto to = pixelOf(sight.screen, box.corner(Corner(corner | axis)));
+      using OfBox = Eigen::AlignedBox3d::CornerType;
+      const auto from = pixelOf(sight.screen, box.corner(OfBox(corner)));
+      const auto to = pixelOf(sight.screen, box.corner(OfBox(corner | axis)));
       if (from && to) painter.drawLine(*from, *to);
     }
 }

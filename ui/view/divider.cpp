@@ -13,7 +13,7 @@ namespace espalier {
 namespace {
 
 constexpr int lineReach = 8;       // [pixels] on either side of the line
-constexpr double step = 0.02;      // of an arrow key
+constexpr double keyStep = 0.02;   // of an arrow key
 constexpr double leastSide = 0.03; // of the view that is left to each side
 
 } // namespace
@@ -64,9 +64,9 @@ void Divider::mouseMoveEvent(QMouseEvent* event) {
 
 void Divider::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Left)
-    ask(across_ - step);
+    ask(across_ - keyStep);
   else if (event->key() == Qt::Key_Right)
-    ask(across_ + step);
+    ask(across_ + keyStep);
   else
     QWidget::keyPressEvent(event);
 }

@@ -19,9 +19,9 @@
 namespace espalier {
 namespace {
 
-constexpr double width = 4; // [logical pixels], as all below
-constexpr double rim = 3;   // about lines
-constexpr double dot = 4;   // across
+constexpr double ghostWidth = 4; // [logical pixels], as all below
+constexpr double ghostRim = 3;   // about lines
+constexpr double dot = 4;        // across
 constexpr double disk = GhostNumber::radius;
 
 std::vector<QPolygonF> seenLines(const ShownGhost& ghost, const ScreenMap& screen) {
@@ -121,7 +121,7 @@ private:
       sum += 10 * share(2 * disk + 4 - QLineF(at, other).length());
     for (const std::vector<QPolygonF>& ghost : lines_)
       for (const QPolygonF& line : ghost)
-        sum += 2 * share(disk + width - distanceOf(at, line));
+        sum += 2 * share(disk + ghostWidth - distanceOf(at, line));
     return sum;
   }
   static double share(double overlap) { return std::clamp(overlap / disk, 0.0, 1.0); }
@@ -153,8 +153,9 @@ std::vector<QPolygonF> crossAt(const QPointF& at) {
 }
 
 void paintCross(QPainter& painter, const QPointF& at, const Color& color, const Palette& colors) {
-  for (const QPen& pen : {QPen(toQt(colors.outline, 200), width + rim, Qt::SolidLine, Qt::RoundCap),
-                          QPen(toQt(color), width, Qt::SolidLine, Qt::RoundCap)}) {
+  for (const QPen& pen :
+       {QPen(toQt(colors.outline, 200), ghostWidth + ghostRim, Qt::SolidLine, Qt::RoundCap),
+        QPen(toQt(color), ghostWidth, Qt::SolidLine, Qt::RoundCap)}) {
     painter.setPen(pen);
     for (const QPolygonF& line : crossAt(at))
       painter.drawPolyline(line);
@@ -208,15 +209,16 @@ void paintGhosts(QPainter& painter, const std::vector<ShownGhost>& ghosts, const
                  bool dark) {
   const Palette colors = palette(dark);
   painter.setBrush(Qt::NoBrush);
-  for (const QPen& pen : {QPen(toQt(colors.outline, 200), dot + rim, Qt::SolidLine, Qt::RoundCap),
-                          QPen(toQt(colors.selected), dot, Qt::SolidLine, Qt::RoundCap)}) {
+  for (const QPen& pen :
+       {QPen(toQt(colors.outline, 200), dot + ghostRim, Qt::SolidLine, Qt::RoundCap),
+        QPen(toQt(colors.selected), dot, Qt::SolidLine, Qt::RoundCap)}) {
     painter.setPen(pen);
     for (const ShownGhost& ghost : ghosts)
       painter.drawPoints(seenDots(ghost, screen));
   }
   const std::vector<GhostNumber> numbers = numbersOf(ghosts, screen);
   for (const GhostNumber& number : numbers)
-    for (const QPen& pen : {QPen(toQt(colors.outline, 200), 2 + rim),
+    for (const QPen& pen : {QPen(toQt(colors.outline, 200), 2 + ghostRim),
                             QPen(toQt(colorOfGhost(number.number, dark)), 2)}) {
       painter.setPen(pen); // to what it names
       painter.drawLine(number.at, number.of);
@@ -234,10 +236,10 @@ void paintGhosts(QPainter& painter, const std::vector<ShownGhost>& ghosts, const
                            [](const Stroke& stroke) { return lengthOf(stroke.line); });
   for (const auto& [line, look, color] : strokes) {
     if (look == ShownGhost::Look::removed) continue;
-    painter.setPen(
-        QPen(toQt(colors.outline, 200), width + rim, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.setPen(QPen(toQt(colors.outline, 200), ghostWidth + ghostRim, Qt::SolidLine,
+                        Qt::FlatCap, Qt::RoundJoin));
     painter.drawPolyline(line);
-    painter.setPen(QPen(toQt(color), width, styleOf(look), Qt::FlatCap, Qt::RoundJoin));
+    painter.setPen(QPen(toQt(color), ghostWidth, styleOf(look), Qt::FlatCap, Qt::RoundJoin));
     painter.drawPolyline(line);
   }
   for (const auto& [line, look, color] : strokes)

@@ -14,6 +14,7 @@
 #include <QAction>
 #include <QApplication>
 
+#include <algorithm>
 #include <utility>
 
 namespace espalier {
@@ -125,6 +126,7 @@ void EditFlow::leave() {
   if (!later_->editing.isPending() && later_->asking.isShowing())
     return later_->asking.stopAsking();
   const bool isPending = later_->editing.isPending();
+  if (!isPending && later_->dismissesMessage()) return;
   if (!isPending && (later_->preview.drop() || isInPanel)) return; // the selection stays
   later_->editing.escape();
 }
@@ -134,11 +136,29 @@ void EditFlow::noteStep(int index) {
   const int before = std::exchange(step_, index);
   if (later_->editing.isBusy() || later_->projects.isLoading())
     return; // a drag notes what it does itself
-  if (index == before - 1 && index < stack.count())
+  if (index == before - 1 && index < stack.count()) {
+    selectWhatChanged(document_.step(index).delta.inverse());
     emit noted(tr("Undone: %1").arg(stack.text(index)));
-  else if (index == before + 1)
+  } else if (index == before + 1)
     emit noted(index < stack.count() ? tr("Redone: %1").arg(stack.text(index - 1))
                                      : stack.text(index - 1));
+}
+
+/// Where nothing is selected any more, as what was came or went: keys go on from there.
+void EditFlow::selectWhatChanged(const SkeletonDelta& delta) {
+  if (!document_.selection().isEmpty()) return;
+  std::optional<NodeId> parent;
+  for (const SkeletonDelta::Change& change : delta.changes) {
+    if (change.before.has_value() == change.after.has_value()) continue; // it is still there
+    const Node& node = change.after ? *change.after : *change.before;
+    const auto isOfThese = [&](const SkeletonDelta::Change& other) {
+      return other.id == node.parent && other.before.has_value() != other.after.has_value();
+    };
+    if (node.parent && std::ranges::any_of(delta.changes, isOfThese)) continue;
+    if (!node.parent || parent) return; // a whole plant, or several pieces
+    parent = change.after ? change.id : *node.parent;
+  }
+  if (parent && document_.skeleton().contains(*parent)) document_.selection().set({*parent});
 }
 
 } // namespace espalier

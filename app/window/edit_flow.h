@@ -2,6 +2,7 @@
 
 #include "app/window/frame/window_part.h"
 
+#include <functional>
 #include <optional>
 
 namespace espalier {
@@ -15,6 +16,7 @@ class PreviewFlow;
 class ProjectFlow;
 class RegistrationFlow;
 class ShownFlow;
+struct SkeletonDelta;
 
 /// What is edited by no tool: undo and redo, all that can be selected, and Escape.
 class EditFlow : public WindowPart {
@@ -32,6 +34,7 @@ public:
     RegistrationFlow& registration;
     AskingFlow& asking;
     IgnoringSteps& ignoring;
+    std::function<bool()> dismissesMessage; // that waits for an answer
   };
   void join(const Later& later);
 
@@ -43,6 +46,7 @@ private:
   void leave();
   [[nodiscard]] bool endsPreview(int step) const; // of the undo stack: no more than that
   void noteStep(int index);
+  void selectWhatChanged(const SkeletonDelta& delta);
 
   PlantDocument& document_;
   ActionSet& actions_;

@@ -8,6 +8,7 @@
 #include "app/window/frame/key_hints.h"
 #include "app/window/frame/menu_keys.h"
 #include "app/window/frame/panel_dock.h"
+#include "app/window/frame/panel_keys.h"
 #include "app/window/frame/view_sync.h"
 #include "app/window/frame/window_log.h"
 #include "core/mtg/mtg_of_skeleton.h"
@@ -75,6 +76,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   makeParts();
   new DigitKeys(*actions_, this);
   new MenuKeys(this);
+  new PanelKeys(this);
   fillMenus();
   fillToolBar();
   connectJobs();
@@ -93,6 +95,10 @@ MainWindow::~MainWindow() {
   for (QDockWidget* dock : findChildren<QDockWidget*>())
     dock->hide();                         // those that are windows of their own stay otherwise
   document_.undoStack().disconnect(this); // it clears itself when the parts are gone
+}
+
+bool MainWindow::focusNextPrevChild(bool isNext) {
+  return giveKeysOn(*this, isNext);
 }
 
 void MainWindow::open(const QStringList& paths) {

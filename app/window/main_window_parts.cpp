@@ -65,6 +65,7 @@
 #include "app/window/view/space_mouse_flow.h"
 #include "app/window/view/two_views_flow.h"
 #include "app/window/view/value_colors.h"
+#include "app/window/view/view_moves.h"
 #include "app/window/view/view_options.h"
 #include "ui/panels/inspector_panel.h"
 #include "ui/panels/message_banner.h"
@@ -179,7 +180,7 @@ void MainWindow::makeReview() {
             auto& findings = parts_.get<FindingsFlow>();
             isIgnored ? findings.ignore(finding) : findings.stopIgnoring(finding);
           },
-          ignoring},
+          ignoring, [this] { return parts_.get<AskingFlow>().lookAgain(); }},
       (*actions_)["sign_structure"]);
   const PanelDock::Parts window{*actions_, settings_, *this};
   parts_.make<ShownFlow>(ShownFlow::Parts{document_, *view_, *actions_, editing, window});
@@ -244,6 +245,7 @@ void MainWindow::makeViews() {
   auto& twoViews = parts_.make<TwoViewsFlow>(
       TwoViewsFlow::Parts{*view_, *views_, *actions_, editing, settings_});
   parts_.make<CloseLookFlow>(CloseLookFlow::Parts{document_, *view_, *actions_, editing, twoViews});
+  parts_.make<ViewMoves>(*actions_, editing);
   parts_.make<SpaceMouseFlow>(SpaceMouseFlow::Parts{editing, *actions_, *this});
   parts_.make<ValueColors>(
       ValueColors::Parts{document_, *view_, *actions_, parts_.get<ViewOptions>(),
@@ -300,8 +302,8 @@ void MainWindow::joinEdits() {
   auto& shown = parts_.get<ShownFlow>();
   auto& registration = parts_.get<RegistrationFlow>();
   parts_.get<EditFlow>().join({editing, parts_.get<PreviewFlow>(), shown, parts_.get<ProjectFlow>(),
-                               registration, parts_.get<AskingFlow>(),
-                               parts_.get<IgnoringSteps>()});
+                               registration, parts_.get<AskingFlow>(), parts_.get<IgnoringSteps>(),
+                               [this] { return banner_->dismiss(); }});
   connect(&points, &PointsFlow::changed, &shown,
           [this, &shown] { shown.setPointsIsolated(parts_.get<PointStates>().isIsolated()); });
   connect(&registration, &RegistrationFlow::begun, this, &MainWindow::refreshEnabled);

@@ -49,6 +49,7 @@ std::vector<Place> viewPlaces() {
       {"view/sizes", MainWindow::tr("Point Size")},
       {"view/projections", MainWindow::tr("Projection")},
       {"view/directions", MainWindow::tr("Look From")},
+      {"view/moves", MainWindow::tr("Turn, Move and Zoom")},
       {"view/frame_all"},
       {"view/frame"},
       {"view/look"},

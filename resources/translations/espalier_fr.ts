@@ -6052,6 +6052,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <source>Espalier crashed on %1. What happened is in %2</source>
         <translation>Espalier s’est arrêté brutalement le %1. Ce qui s’est passé est dans %2</translation>
     </message>
+    <message>
+        <source>Turn, Move and Zoom</source>
+        <translation>Tourner, déplacer et zoomer</translation>
+    </message>
 </context>
 <context>
     <name>espalier::ManualWindow</name>
@@ -17256,6 +17260,69 @@ Chargez une référence pour voir comment les deux s’accordent.</translation>
     <message>
         <source>Edges: %1 &lt;, %2 +</source>
         <translation>Arêtes&#xa0;: %1 &lt;, %2 +</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ViewMoves</name>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Turns the plant by 15 degrees</source>
+        <translation>Tourne la plante de 15 degrés</translation>
+    </message>
+    <message>
+        <source>Turn Left</source>
+        <translation>Tourner à gauche</translation>
+    </message>
+    <message>
+        <source>Turn Right</source>
+        <translation>Tourner à droite</translation>
+    </message>
+    <message>
+        <source>Turn Up</source>
+        <translation>Tourner vers le haut</translation>
+    </message>
+    <message>
+        <source>Turn Down</source>
+        <translation>Tourner vers le bas</translation>
+    </message>
+    <message>
+        <source>Moves the plant by a tenth of the height of the view</source>
+        <translation>Déplace la plante d’un dixième de la hauteur de la vue</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Déplacer à gauche</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Déplacer à droite</translation>
+    </message>
+    <message>
+        <source>Move Up</source>
+        <translation>Déplacer vers le haut</translation>
+    </message>
+    <message>
+        <source>Move Down</source>
+        <translation>Déplacer vers le bas</translation>
+    </message>
+    <message>
+        <source>Zoom In</source>
+        <translation>Agrandir</translation>
+    </message>
+    <message>
+        <source>Shows the middle of the view larger by a quarter</source>
+        <translation>Montre le milieu de la vue plus grand d’un quart</translation>
+    </message>
+    <message>
+        <source>Zoom Out</source>
+        <translation>Réduire</translation>
+    </message>
+    <message>
+        <source>Shows the middle of the view smaller by as much</source>
+        <translation>Montre le milieu de la vue plus petit d’autant</translation>
     </message>
 </context>
 <context>

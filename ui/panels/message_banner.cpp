@@ -77,6 +77,12 @@ void MessageBanner::showResult(const QString& text, const QString& action,
   leaves_.start();
 }
 
+bool MessageBanner::dismiss() {
+  if (!isVisible() || leavesByItself()) return false;
+  hide();
+  return true;
+}
+
 QString MessageBanner::text() const {
   return text_->text();
 }

@@ -39,6 +39,9 @@ public:
   /// @param action text of a button for `act`, as "Undo"; none if empty
   void showResult(const QString& text, const QString& action = {}, std::function<void()> act = {});
 
+  /// Closes what would stay until it is answered, unanswered. @return whether there was one
+  bool dismiss();
+
   [[nodiscard]] QString text() const;
   [[nodiscard]] bool isError() const;
   [[nodiscard]] bool leavesByItself() const { return leaves_.isActive(); }

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "ui/document/plant_document.h"
 #include "ui/panels/edge_delegate.h"
+#include "ui/panels/focus_keys.h"
 #include "ui/panels/label_role.h"
 #include "ui/panels/node_table_model.h"
 
@@ -80,8 +81,26 @@ bool NodeTablePanel::eventFilter(QObject* watched, QEvent* event) {
         table_->edit(current);
       return true;
     }
+    if (!isOverride && goesToRow(key)) return true;
   }
   return QWidget::eventFilter(watched, event);
+}
+
+/// Home and End choose the first and the last row; Up and Down first the present one, if it is not
+/// selected, as where it alone is left by the filter.
+bool NodeTablePanel::goesToRow(int key) {
+  const int rows = model_->rowCount();
+  const QModelIndex current = table_->currentIndex();
+  if (rows == 0) return false;
+  const int column = std::max(current.column(), 0);
+  const auto select = [&](int row) {
+    table_->setCurrentIndex(model_->index(row, column));
+    table_->selectRow(row);
+    return true;
+  };
+  if (key == Qt::Key_Home || key == Qt::Key_End) return select(key == Qt::Key_Home ? 0 : rows - 1);
+  const bool isLeft = current.isValid() && !table_->selectionModel()->isRowSelected(current.row());
+  return (key == Qt::Key_Up || key == Qt::Key_Down) && isLeft && select(current.row());
 }
 
 void NodeTablePanel::makeTable() {
@@ -94,6 +113,7 @@ void NodeTablePanel::makeTable() {
   table_->setSelectionBehavior(QTableView::SelectRows);
   table_->setEditTriggers(QTableView::DoubleClicked | QTableView::EditKeyPressed);
   table_->setTabKeyNavigation(false); // Tab leaves the table
+  goesThroughRows(*table_);
   table_->setWordWrap(false);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed); // none is measured

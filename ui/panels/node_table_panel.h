@@ -35,6 +35,7 @@ signals:
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  bool goesToRow(int key);
   void showEvent(QShowEvent* event) override;
 
 private:

@@ -6,6 +6,7 @@
 #include "ui/view/turntable.h"
 
 #include <QApplication>
+#include <QCursor>
 #include <QKeyEvent>
 #include <QMouseEvent>
 
@@ -380,6 +381,7 @@ void PlantView::mousePressEvent(QMouseEvent* event) {
 }
 
 void PlantView::mouseMoveEvent(QMouseEvent* event) {
+  parts_->pointerAt = event->globalPosition().toPoint();
   if (moveClip(*event) || moveEnvelope(*event)) return;
   parts_->pointer.move(*event);
 }
@@ -424,12 +426,16 @@ void PlantView::focusOutEvent(QFocusEvent* event) {
 
 void PlantView::enterEvent(QEnterEvent* event) {
   // The keys are those of the plant where the pointer is; what was being typed elsewhere is taken.
-  if (isActiveWindow() && QApplication::activePopupWidget() == nullptr)
+  // It also enters where it rests, as a list of choices closes that was opened by the keyboard.
+  const QPoint at = event->globalPosition().toPoint();
+  const bool hasMoved = std::exchange(parts_->pointerAt, at) != at;
+  if (hasMoved && isActiveWindow() && QApplication::activePopupWidget() == nullptr)
     setFocus(Qt::MouseFocusReason);
   QWidget::enterEvent(event);
 }
 
 void PlantView::leaveEvent(QEvent* event) {
+  parts_->pointerAt = QCursor::pos();
   if (!parts_->clipHandles.isDragging()) parts_->hoverClip(std::nullopt);
   if (!parts_->envelopeHandles.dragged()) parts_->hoverEnvelope(std::nullopt);
   parts_->pointer.leave();

@@ -14,6 +14,7 @@
 #include "ui/view/touch_input.h"
 #include "ui/view/view_surface.h"
 
+#include <QPoint>
 #include <QTimer>
 
 #include <algorithm>
@@ -154,6 +155,7 @@ struct PlantView::Parts {
   Scene& scene; // of `shared`
   Navigator navigator;
   PointerInput pointer;
+  QPoint pointerAt{-1, -1}; // on the screen, when it was noted last
   TouchInput touch{navigator, pointer};
   Overlay overlay;
   ClipHandles clipHandles;

@@ -268,6 +268,7 @@ void ErrorWalk::toggleIgnored() {
                        .undo = [this, before] { ignoreOnly(before); },
                        .redo = [this, now = ignored_] { ignoreOnly(now); }});
   list();
+  if (const auto next = wasIgnored ? std::nullopt : panel_->step(1)) goTo(*next);
   emit noted(wasIgnored ? tr("Listed again: %1").arg(titleOf(part.kind))
                         : tr("Ignored: %1. The button above the list shows what is ignored")
                               .arg(titleOf(part.kind)));

@@ -2,6 +2,7 @@
 
 #include "app/window/frame/action_set.h"
 #include "app/window/frame/key_hints.h"
+#include "app/window/frame/panel_keys.h"
 
 #include <QAbstractItemView>
 #include <QApplication>
@@ -15,23 +16,6 @@
 
 namespace espalier {
 namespace {
-
-QDockWidget* dockOf(QWidget* widget) {
-  while (widget != nullptr && qobject_cast<QDockWidget*>(widget) == nullptr)
-    widget = widget->parentWidget();
-  return qobject_cast<QDockWidget*>(widget);
-}
-
-bool isInFront(const QDockWidget& dock) {
-  return dock.isVisible() && !dock.visibleRegion().isEmpty();
-}
-
-/// What scrolls does, too, but one does not see it, and fields come into sight by themselves.
-bool takesKeys(const QWidget& widget) {
-  return widget.isVisible() && widget.isEnabled() && (widget.focusPolicy() & Qt::TabFocus) != 0 &&
-         qobject_cast<const QScrollArea*>(&widget) == nullptr &&
-         qobject_cast<const QDockWidget*>(&widget) == nullptr;
-}
 
 bool hasRows(const QWidget& widget) {
   const auto* list = qobject_cast<const QAbstractItemView*>(&widget);

@@ -272,6 +272,12 @@ void AskingFlow::goTo(const Doubt& doubt) {
   emit hintChanged();
 }
 
+bool AskingFlow::lookAgain() {
+  if (!isAsking_ || !current_) return false;
+  look(*current_);
+  return true;
+}
+
 void AskingFlow::draw() {
   const Skeleton& skeleton = parts_.document.skeleton();
   if (isRestShown_)

@@ -55,6 +55,8 @@ public:
   [[nodiscard]] bool isRestShown() const { return isRestShown_; } // to be decided
   void askAbout(const Doubt& doubt); // where it may not ask, it only goes there
   void stopAsking();
+  /// Shows the question again, from wherever one looks. @return whether there is one
+  bool lookAgain();
   /// Which doubts it goes through by itself; at first all.
   void askOnlyAbout(std::function<bool(const Doubt&)> isAskedAbout);
   /// Goes on or ends once other doubts are found or one is settled; after what lists them.

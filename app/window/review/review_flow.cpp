@@ -223,6 +223,7 @@ bool ReviewFlow::eventFilter(QObject* watched, QEvent* event) {
 
 void ReviewFlow::markReviewed() {
   // Enter also accepts previews: one Enter too many must not review what nobody looks at.
+  if (parts_.looksAtQuestion()) return;
   if (!dock_->isInFront()) return step(WalkTo::toDo);
   if (isAtPoints()) return takePoints();
   if (parts_.document.selection().isEmpty()) return step(WalkTo::toDo);

@@ -54,6 +54,7 @@ public:
     std::function<bool(const Finding&)> isIgnored; // of points without wood: they are looked at
     std::function<void(const Finding&, bool)> setIgnored;
     IgnoringSteps& ignoring;
+    std::function<bool()> looksAtQuestion; // that is up: no stop is marked, one looks there again
   };
   /// @param sign  the action that the panel offers at its foot
   ReviewFlow(const Parts& parts, QAction* sign);

@@ -61,6 +61,23 @@ TEST_F(AskingTest, AKeyDoesNotAnswerWhatIsNotDrawnYet) {
   EXPECT_NE(answers(), answered);
 }
 
+TEST_F(AskingTest, EnterShowsTheQuestionAgainAndMarksNothing) {
+  ask();
+  waitForView();
+  const QString asked = question();
+  const Camera there = view().camera();
+  key(Qt::Key_Home);
+  waitForView();
+  ASSERT_FALSE(view().camera() == there);
+  key(Qt::Key_Return);
+  waitForView();
+  EXPECT_TRUE(isAsked());
+  EXPECT_EQ(question(), asked);
+  EXPECT_TRUE(view().camera() == there);
+  for (const NodeId id : document().skeleton().ids())
+    EXPECT_EQ(document().skeleton()[id].review.state, ReviewState::toDo);
+}
+
 TEST_F(AskingTest, NamesTheKeyThatEndsItOnceWhereAPanelHasTheKeyboard) {
   ask();
   find<QTreeView>("findings_list").setFocus();

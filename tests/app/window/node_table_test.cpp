@@ -288,6 +288,25 @@ TEST_F(NodeTableWindowTest, CopyTakesTheSelectedNodesWithoutATable) {
   EXPECT_EQ(QApplication::clipboard()->text().count('\n'), 3);
 }
 
+TEST_F(NodeTableWindowTest, KeysChooseTheOnlyRowAndTheFirstAndTheLast) {
+  openTable();
+  document().selection().set({forkRoot});
+  typeFilter("node = 1");
+  auto& table = find<QTableView>("node_table");
+  ASSERT_EQ(table.model()->rowCount(), 1);
+  table.setFocus(Qt::TabFocusReason);
+  EXPECT_EQ(chosen(), std::vector{forkRoot});
+  QTest::keyClick(&table, Qt::Key_Down);
+  EXPECT_EQ(chosen(), std::vector{NodeId{1}});
+  typeFilter("");
+  const int rows = table.model()->rowCount();
+  QTest::keyClick(&table, Qt::Key_End);
+  EXPECT_EQ(table.currentIndex().row(), rows - 1);
+  QTest::keyClick(&table, Qt::Key_Home);
+  EXPECT_EQ(table.currentIndex().row(), 0);
+  EXPECT_EQ(chosen().size(), 1U);
+}
+
 TEST_F(NodeTableWindowTest, CtrlCInTheFilterCopiesItsText) {
   openTable();
   typeFilter("order = 1");

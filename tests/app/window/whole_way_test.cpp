@@ -161,6 +161,11 @@ TEST_F(WholeWay, ReconstructingOverWorkByHandAsksFirst) {
       "Reconstructing replaces the skeleton, with 1 edit by hand."))
       << window().banner().text().toStdString();
   EXPECT_EQ(find<QPushButton>("banner_other_action").text(), "Save Project As…");
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(window().banner().isVisible()) << "it is closed unanswered";
+  EXPECT_EQ(document().undoStack().count(), steps);
+  reconstruct();
+  EXPECT_TRUE(window().banner().isVisible());
   find<QToolButton>("run_to_radius").click();
   waitForJob();
   EXPECT_EQ(document().undoStack().count(), steps) << "it makes the skeleton, too";

@@ -5491,12 +5491,6 @@
 <context>
     <name>espalier::InspectorPanel</name>
     <message>
-        <source>Click a node to see it here.
-Shift+click adds more.</source>
-        <translation>Cliquez un nœud pour le voir ici.
-Maj+clic en ajoute d’autres.</translation>
-    </message>
-    <message>
         <source>Inspector</source>
         <translation>Inspecteur</translation>
     </message>
@@ -5567,6 +5561,12 @@ Maj+clic en ajoute d’autres.</translation>
     <message>
         <source>The radii differ. A number typed here becomes the radius of all of them.</source>
         <translation>Les rayons diffèrent. Un nombre saisi ici devient le rayon de tous.</translation>
+    </message>
+    <message>
+        <source>Click a node to see it here, or press an arrow key.
+Shift+click adds more.</source>
+        <translation>Cliquez un nœud pour le voir ici, ou appuyez sur une flèche.
+Maj+clic en ajoute d’autres.</translation>
     </message>
 </context>
 <context>

@@ -24,6 +24,14 @@
 namespace espalier {
 namespace {
 
+/// Those that stand in the menu; of the keypad, which many keyboards lack, also the others.
+QString keysOf(const QAction& action) {
+  const QList<QKeySequence> all = action.shortcuts();
+  const bool isOfKeypad = all.front()[0].keyboardModifiers().testFlag(Qt::KeypadModifier);
+  return isOfKeypad ? QKeySequence::listToString(all, QKeySequence::NativeText).replace("; ", ", ")
+                    : all.front().toString(QKeySequence::NativeText);
+}
+
 struct Row {
   QString keys;
   QString does;
@@ -59,8 +67,7 @@ std::vector<Section> sectionsOf(const QList<QAction*>& actions) {
     const QString name = action->property("section").toString();
     auto section = std::ranges::find(sections, name, &Section::name);
     if (section == sections.end()) section = sections.insert(section, {name, {}});
-    section->rows.push_back({action->shortcut().toString(QKeySequence::NativeText),
-                             action->property("name").toString(), action});
+    section->rows.push_back({keysOf(*action), action->property("name").toString(), action});
   }
   return sections;
 }

@@ -45,7 +45,8 @@ QLabel* makeValue(QWidget* parent) {
 
 InspectorPanel::InspectorPanel(PlantDocument& document, QWidget* parent)
     : QWidget(parent), document_(document), title_(new QLabel(this)),
-      empty_(new QLabel(tr("Click a node to see it here.\nShift+click adds more."), this)),
+      empty_(new QLabel(
+          tr("Click a node to see it here, or press an arrow key.\nShift+click adds more."), this)),
       body_(new QWidget(this)), form_(new QFormLayout(body_)), order_(makeValue(body_)),
       edge_(new QComboBox(body_)), parent_(new QPushButton(body_)), children_(makeValue(body_)),
       position_(makeValue(body_)), length_(makeValue(body_)), radius_(new NumberBox(body_)),

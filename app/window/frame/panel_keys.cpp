@@ -13,6 +13,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 
 #include <algorithm>
@@ -72,8 +73,13 @@ void addField(QWidget& widget, std::vector<QWidget*>& fields) {
   if (isWhole(widget)) return;
   std::vector<QWidget*> within = shownIn(widget);
   sortAsRead(within);
+  const std::size_t before = fields.size();
   for (QWidget* child : within)
     addField(*child, fields);
+  const auto* scrolled = qobject_cast<const QScrollArea*>(&widget);
+  const bool isText = scrolled != nullptr && fields.size() == before; // keys scroll it
+  if (isText && widget.isEnabled() && scrolled->verticalScrollBar()->isVisible())
+    fields.push_back(&widget);
 }
 
 /// The text of a field that has the keyboard; null: it is no such field.

@@ -21,10 +21,7 @@ namespace espalier {
 namespace {
 
 struct PanelKeysTest : test::WindowTest {
-  void openFork() {
-    open({writeScan("scan.xyz"), writeFork("fork.mtg")});
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&window()));
-  }
+  void openFork() { open({writeScan("scan.xyz"), writeFork("fork.mtg")}); }
   static void press(QWidget& widget, int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
     QTest::keyClick(&widget, static_cast<Qt::Key>(key), modifiers);
   }

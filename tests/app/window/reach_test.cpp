@@ -8,6 +8,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QMenu>
+#include <QScrollArea>
 #include <QTest>
 #include <QTimer>
 
@@ -76,8 +77,11 @@ TEST_F(ReachTest, EverythingWithTheKeyboardHasAName) {
 TEST_F(ReachTest, TabGoesThroughAllThatIsSeen) {
   openWithAllPanels();
   std::set<const QWidget*> left;
-  for (const QWidget* widget : stops())
-    if (widget->isVisible() && !widget->visibleRegion().isEmpty()) left.insert(widget);
+  for (const QWidget* widget : stops()) {
+    const bool onlyScrolls = qobject_cast<const QScrollArea*>(widget) != nullptr; // its fields
+    if (!onlyScrolls && widget->isVisible() && !widget->visibleRegion().isEmpty())
+      left.insert(widget);
+  }
   const std::size_t count = left.size();
   EXPECT_GT(count, 10U);
   view().setFocus();

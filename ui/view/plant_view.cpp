@@ -231,7 +231,7 @@ Camera PlantView::cameraToSee(const Sight& sight) const {
   for (const NodeId id : sight.nodes)
     now.place.extend(parts_->scene.skeleton.position(indexOf(id)));
   if (const auto before = known.find(sight, now)) return *before;
-  const Camera chosen = espalier::cameraToSee(parts_->scene, camera(), sight, size());
+  Camera chosen = espalier::cameraToSee(parts_->scene, camera(), sight, size());
   known.keep(sight, now, chosen);
   return chosen;
 }

@@ -14,7 +14,8 @@
 #include <QAction>
 #include <QApplication>
 
-#include <algorithm>
+#include <cstddef>
+#include <unordered_set>
 #include <utility>
 
 namespace espalier {
@@ -137,7 +138,7 @@ void EditFlow::noteStep(int index) {
   if (later_->editing.isBusy() || later_->projects.isLoading())
     return; // a drag notes what it does itself
   if (index == before - 1 && index < stack.count()) {
-    selectWhatChanged(document_.step(index).delta.inverse());
+    selectWhereUndone(document_.step(index).delta);
     emit noted(tr("Undone: %1").arg(stack.text(index)));
   } else if (index == before + 1)
     emit noted(index < stack.count() ? tr("Redone: %1").arg(stack.text(index - 1))
@@ -145,20 +146,21 @@ void EditFlow::noteStep(int index) {
 }
 
 /// Where nothing is selected any more, as what was came or went: keys go on from there.
-void EditFlow::selectWhatChanged(const SkeletonDelta& delta) {
+void EditFlow::selectWhereUndone(const SkeletonDelta& undone) {
   if (!document_.selection().isEmpty()) return;
-  std::optional<NodeId> parent;
-  for (const SkeletonDelta::Change& change : delta.changes) {
-    if (change.before.has_value() == change.after.has_value()) continue; // it is still there
-    const Node& node = change.after ? *change.after : *change.before;
-    const auto isOfThese = [&](const SkeletonDelta::Change& other) {
-      return other.id == node.parent && other.before.has_value() != other.after.has_value();
-    };
-    if (node.parent && std::ranges::any_of(delta.changes, isOfThese)) continue;
-    if (!node.parent || parent) return; // a whole plant, or several pieces
-    parent = change.after ? change.id : *node.parent;
+  std::unordered_set<std::size_t> pieces; // of wood that is back, or gone
+  for (const SkeletonDelta::Change& change : undone.changes)
+    if (change.before.has_value() != change.after.has_value()) pieces.insert(indexOf(change.id));
+  std::optional<NodeId> place;
+  for (const SkeletonDelta::Change& change : undone.changes) {
+    if (!pieces.contains(indexOf(change.id))) continue;
+    const bool isBack = change.before.has_value();
+    const std::optional<NodeId>& parent = (isBack ? change.before : change.after)->parent;
+    if (parent && pieces.contains(indexOf(*parent))) continue;
+    if (!parent || place) return; // a whole plant, or several pieces
+    place = isBack ? change.id : *parent;
   }
-  if (parent && document_.skeleton().contains(*parent)) document_.selection().set({*parent});
+  if (place && document_.skeleton().contains(*place)) document_.selection().set({*place});
 }
 
 } // namespace espalier

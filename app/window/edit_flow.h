@@ -46,7 +46,7 @@ private:
   void leave();
   [[nodiscard]] bool endsPreview(int step) const; // of the undo stack: no more than that
   void noteStep(int index);
-  void selectWhatChanged(const SkeletonDelta& delta);
+  void selectWhereUndone(const SkeletonDelta& undone);
 
   PlantDocument& document_;
   ActionSet& actions_;

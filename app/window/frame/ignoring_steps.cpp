@@ -31,7 +31,7 @@ void IgnoringSteps::undo() {
   done_.pop_back();
   last.step.undo();
   const QString text = last.step.text;
-  if (last.step.redo) undone_.push_back(std::move(last));
+  undone_.push_back(std::move(last));
   emit changed();
   emit noted(tr("Undone: %1").arg(text));
 }

@@ -14,7 +14,8 @@ class PlantDocument;
 
 /// What was ignored and shown again, as steps that Undo and Redo pass through in their turn. They
 /// are none of the plant, whose history knows nothing of them: each is kept beside the last step of
-/// the plant that was done before it, until the program ends or another plant or scan is shown.
+/// the plant that was done before it, until points are set aside, or another plant, scan or
+/// reference is shown.
 class IgnoringSteps : public WindowPart {
   Q_OBJECT
 
@@ -22,7 +23,7 @@ public:
   struct Step {
     QString text; // as Undo names it
     std::function<void()> undo;
-    std::function<void()> redo; // none: it is not made again
+    std::function<void()> redo;
   };
   explicit IgnoringSteps(PlantDocument& document);
 

@@ -77,8 +77,9 @@ void addField(QWidget& widget, std::vector<QWidget*>& fields) {
   for (QWidget* child : within)
     addField(*child, fields);
   const auto* scrolled = qobject_cast<const QScrollArea*>(&widget);
-  const bool isText = scrolled != nullptr && fields.size() == before; // keys scroll it
-  if (isText && widget.isEnabled() && scrolled->verticalScrollBar()->isVisible())
+  const bool hasFields = fields.size() > before; // else keys scroll it
+  if (scrolled != nullptr && !hasFields && (widget.focusPolicy() & Qt::TabFocus) != 0 &&
+      scrolled->verticalScrollBar()->isVisible())
     fields.push_back(&widget);
 }
 

@@ -18,7 +18,8 @@ namespace espalier {
 [[nodiscard]] bool takesKeys(const QWidget& widget);
 
 /// Gives the keyboard to the next of the window that takes keys, or the one before, in the order in
-/// which one reads them: panel by panel from left to right, past those that lie behind a tab.
+/// which one reads them: panel by panel from left to right, past those that lie behind a tab. What
+/// scrolls is one of them where it has no fields.
 /// @return false: there is none
 bool giveKeysOn(QWidget& window, bool isNext);
 

@@ -24,4 +24,39 @@ template <std::size_t Features> struct Quadratic {
   }
 };
 
+/// The same of features and of all products of two of them. Each feature is taken from -1 at the
+/// least that was seen to 1 at the most.
+template <std::size_t Features> struct WholeQuadratic {
+  static constexpr std::size_t pairs = Features * (Features + 1) / 2;
+
+  double constant = 0;
+  std::array<double, Features> weights = {};
+  std::array<double, pairs> pairWeights = {}; // of the first with itself and each after it, ...
+  std::array<double, Features> least = {};
+  std::array<double, Features> most = {};
+
+  [[nodiscard]] std::array<double, Features>
+  scaled(const std::array<double, Features>& features) const {
+    std::array<double, Features> result = {};
+    for (std::size_t i = 0; i < Features; ++i)
+      if (most[i] > least[i])
+        result[i] =
+            2 * (std::clamp(features[i], least[i], most[i]) - least[i]) / (most[i] - least[i]) - 1;
+    return result;
+  }
+
+  [[nodiscard]] double value(const std::array<double, Features>& features) const {
+    const std::array<double, Features> taken = scaled(features);
+    double sum = constant;
+    std::size_t pair = 0;
+    for (std::size_t i = 0; i < Features; ++i) {
+      double factor = weights[i];
+      for (std::size_t k = i; k < Features; ++k)
+        factor += pairWeights[pair++] * taken[k];
+      sum += taken[i] * factor;
+    }
+    return sum;
+  }
+};
+
 } // namespace espalier

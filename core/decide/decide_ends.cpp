@@ -23,10 +23,11 @@ EndDecision decisionOn(const Skeleton& skeleton, const End& end, double probabil
   return decision;
 }
 
-std::vector<double> probabilitiesOf(const std::vector<End>& ends, const EndOdds& odds) {
+std::vector<double> probabilitiesOf(const std::vector<End>& ends,
+                                    const ShootProbability& probability) {
   std::vector<double> probabilities;
   for (const End& end : ends)
-    probabilities.push_back(probabilityOfShoot(end.evidence, odds));
+    probabilities.push_back(probability(end.evidence));
   return probabilities;
 }
 
@@ -50,11 +51,11 @@ std::vector<std::size_t> improbable(const std::vector<End>& ends,
 DecidedEnds withDecidedEnds(const Skeleton& skeleton, const Eigen::Matrix3Xf& points,
                             const Eigen::Vector3d& origin, const PlantScale& scale,
                             const EndOptions& options, const Progress& progress,
-                            const EndOdds& odds) {
+                            const ShootProbability& probability) {
   DecidedEnds result{withoutSpurs(skeleton, {.length = options.length}), {}};
   if (result.skeleton.isEmpty() || points.cols() == 0) return result;
   EndsOfSkeleton ends(std::move(result.skeleton), points, origin, scale, progress.part(0, 0.7));
-  std::vector<double> probabilities = probabilitiesOf(ends.ends(), odds);
+  std::vector<double> probabilities = probabilitiesOf(ends.ends(), probability);
   for (double done = 0.7;; done += (1 - done) / 2) {
     const auto gone = improbable(ends.ends(), probabilities, options.leastProbability);
     if (gone.empty()) break;
@@ -62,7 +63,7 @@ DecidedEnds withDecidedEnds(const Skeleton& skeleton, const Eigen::Matrix3Xf& po
       result.decisions.push_back(
           decisionOn(ends.skeleton(), ends.ends()[i], probabilities[i], false));
     ends.remove(gone, progress.part(done, (1 + done) / 2));
-    probabilities = probabilitiesOf(ends.ends(), odds);
+    probabilities = probabilitiesOf(ends.ends(), probability);
   }
   for (std::size_t i = 0; i < ends.ends().size(); ++i)
     result.decisions.push_back(decisionOn(ends.skeleton(), ends.ends()[i], probabilities[i], true));

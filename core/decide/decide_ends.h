@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <vector>
 
 namespace espalier {
@@ -30,6 +31,9 @@ struct DecidedEnds {
                                       // that stay
 };
 
+/// How probable it is that an end is a shoot, in (0, 1).
+using ShootProbability = std::function<double(const EndEvidence&)>;
+
 /// A skeleton with those of its ends that are probably shoots.
 ///
 /// The least probable go first, of each branching one; when one is gone, what it sat on may be
@@ -43,6 +47,6 @@ struct DecidedEnds {
 [[nodiscard]] DecidedEnds withDecidedEnds(const Skeleton& skeleton, const Eigen::Matrix3Xf& points,
                                           const Eigen::Vector3d& origin, const PlantScale& scale,
                                           const EndOptions& options, const Progress& progress = {},
-                                          const EndOdds& odds = fittedEndOdds());
+                                          const ShootProbability& probability = probabilityAlone);
 
 } // namespace espalier

@@ -4,6 +4,7 @@
 #include "core/skeleton/assign_points.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -40,7 +41,40 @@ bool isSame(const BranchEnd& a, const BranchEnd& b) {
   return a.foot == b.foot && a.nodes.size() == b.nodes.size(); // where their tips are the same
 }
 
+double lowerMedian(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+AllEnds allOf(const std::vector<EndsOfSkeleton::End>& ends, const PlantScale& scale) {
+  AllEnds all{.count = static_cast<double>(ends.size()),
+              .thickness = scale.thickness / scale.spacing,
+              .noise = scale.scatter / scale.spacing};
+  std::vector<double> scatter;
+  double squares = 0;
+  for (const auto& [end, evidence, seen] : ends) {
+    scatter.push_back(evidence.scatter);
+    all.standing += standingOf(evidence) / all.count;
+    const double alone = shareAlone(evidence);
+    all.alone += alone / all.count;
+    squares += alone * alone / all.count;
+  }
+  all.scatter = lowerMedian(std::move(scatter));
+  all.aloneSpread = std::sqrt(std::max(0.0, squares - all.alone * all.alone));
+  return all;
+}
+
 } // namespace
+
+// What is added keeps the logarithm of nothing finite.
+double standingOf(const EndEvidence& evidence) {
+  return std::log((evidence.protrusion + 0.1) / (evidence.length + 0.1));
+}
+
+double shareAlone(const EndEvidence& evidence) {
+  return (evidence.alone + 0.5) / (evidence.points + 1);
+}
 
 EndsOfSkeleton::EndsOfSkeleton(Skeleton skeleton, const Eigen::Matrix3Xf& points,
                                const Eigen::Vector3d& origin, const PlantScale& scale,
@@ -53,20 +87,15 @@ EndsOfSkeleton::EndsOfSkeleton(Skeleton skeleton, const Eigen::Matrix3Xf& points
   for (std::size_t i = 0; i < all.size(); ++i)
     all[i] = i;
   look(all, progress.part(0.5, 1));
-  keepScatterOfAll();
+  keepAll();
 }
 
-/// How far points are from the ends there are now: the lower median.
-void EndsOfSkeleton::keepScatterOfAll() {
+/// What the ends there are now are like.
+void EndsOfSkeleton::keepAll() {
   if (ends_.empty()) return;
-  std::vector<double> scatter;
-  for (const End& end : ends_)
-    scatter.push_back(end.evidence.scatter);
-  const auto middle = scatter.begin() + static_cast<std::ptrdiff_t>((scatter.size() - 1) / 2);
-  std::ranges::nth_element(scatter, middle);
-  scatterOfAll_ = *middle;
+  all_ = allOf(ends_, scale_);
   for (End& end : ends_)
-    end.evidence.others = scatterOfAll_;
+    end.evidence.all = all_;
 }
 
 /// Gives each point to the node whose edge is nearest.
@@ -174,7 +203,7 @@ EndsOfSkeleton::End EndsOfSkeleton::lookedAt(std::size_t place) const {
   evidence.scatter = evidence.points > 0 ? scatter / evidence.points / scale_.spacing : 0;
   evidence.turn = turnOf(skeleton_, end);
   evidence.share = scale_.height > 0 ? end.length / scale_.height : 0;
-  evidence.others = scatterOfAll_;
+  evidence.all = all_;
   return found;
 }
 

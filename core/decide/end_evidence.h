@@ -15,6 +15,19 @@
 
 namespace espalier {
 
+/// What all ends of a skeleton are like, before any is taken away, and the scan. Lengths in point
+/// spacings.
+struct AllEnds {
+  double count = 0;
+  double scatter = 0;     // median of theirs: of what stands around thin wood in this scan, needles
+                          // and leaves the most
+  double standing = 0;    // mean logarithm of protrusion by length
+  double alone = 0;       // mean share of their points that nothing else explains
+  double aloneSpread = 0; // standard deviation of that share
+  double thickness = 0;   // of the thin wood of the plant
+  double noise = 0;       // of the points about the surface of the wood
+};
+
 /// What the points say of an end: whether it is a shoot, or what bumps, noise, leaves and stray
 /// points leave on a skeleton. Lengths in point spacings.
 struct EndEvidence {
@@ -28,9 +41,14 @@ struct EndEvidence {
   double scatter = 0;    // how far those are from it, mean
   double turn = 0;       // cosine between it and the wood below it
   double share = 0;      // length, in heights of the plant
-  double others = 0; // median of the scatter of all ends there were at first: of what stands around
-                     // thin wood in this scan, needles and leaves the most
+  AllEnds all;           // that there were at first
 };
+
+/// How far an end stands out by its length, logarithm; at most 0, about.
+[[nodiscard]] double standingOf(const EndEvidence& evidence);
+
+/// The share of the points of an end that nothing else explains, in (0, 1).
+[[nodiscard]] double shareAlone(const EndEvidence& evidence);
 
 /// The ends of a skeleton and the evidence of each, while some of them are taken away.
 class EndsOfSkeleton {
@@ -59,7 +77,7 @@ public:
 private:
   void shareOut(const Progress& progress);
   void list();
-  void keepScatterOfAll();
+  void keepAll();
   void look(const std::vector<std::size_t>& places, const Progress& progress);
   [[nodiscard]] End lookedAt(std::size_t place) const;
   [[nodiscard]] std::vector<NodeId> bearerOf(std::size_t place) const;
@@ -71,8 +89,8 @@ private:
   const Eigen::Matrix3Xf* points_;
   Eigen::Vector3d origin_;
   PlantScale scale_;
-  double scatterOfAll_ = 0; // in spacings: of the ends there were at first, median
-  EdgeIndex index_;         // of the skeleton as it was at first
+  AllEnds all_;     // that there were at first
+  EdgeIndex index_; // of the skeleton as it was at first
   std::vector<std::uint32_t> begins_;
   std::vector<std::uint32_t> order_; // points by the node whose edge is nearest; see begins_
   std::vector<float> distances_;     // [L] by point: to it

@@ -1,18 +1,21 @@
-// Fits the odds of ends, the numbers in core/decide/end_odds.cpp, on simulated scans, and shows on
-// others how often ends are shoots of which the odds say so.
+// Fits the odds of ends, the numbers in core/decide/fitted_end_odds.cpp, on simulated scans, and
+// shows on others how often ends are shoots of which the odds say so.
 //
-//   espalier_fit_odds [--plants N] [--others M] [--rounds R]
+//   espalier_fit_odds [--alone] [--plants N] [--others M] [--rounds R]
+//   espalier_fit_odds --check FROM TO
 //   espalier_fit_odds --judge SCAN REFERENCE [SCAN REFERENCE ...]
 //
-// N plants, 180 if it is not said, are fitted on, the next M, 90, are judged by; every third shows
-// leaves or needles of its kind (organ_scans.h), the others are of any kind. An end is labelled
-// a shoot if the measure of the method's authors matches its segment to one of the truth. Examples
-// are the ends of skeletons before any are taken away, and in later rounds (3) also those that are
-// there after they were taken away by the odds of the round before: what is asked in between.
-// Each plant weighs as the root of its examples.
+// Without --alone the odds of an end among all ends of its plant, with it those of an end by
+// itself. N plants, 540 if it is not said, are fitted on, the next M, 180, are judged by; every
+// third shows leaves or needles of its kind (organ_scans.h), the others are of any kind. An end is
+// labelled a shoot if the measure of the method's authors matches its segment to one of the truth.
+// Examples are the ends of skeletons before any are taken away, and in later rounds (3) also those
+// that are there after they were taken away by the odds of the round before: what is asked in
+// between. Each plant weighs as the root of its examples.
 //
-// --judge fits nothing: it shows how often the odds that are in use are right on real scans, whose
-// references are laid on what is found; of each pair alone.
+// --check fits nothing: it shows the same of the odds among all, on plants of these numbers,
+// as 541 721. --judge, likewise: it shows how often the odds that are in use are right on real
+// scans, whose references are laid on what is found; of each pair alone.
 #include "core/cloud/point_set.h"
 #include "core/decide/decide_ends.h"
 #include "core/evaluate/match/authors_comparison.h"
@@ -29,6 +32,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -39,7 +43,6 @@
 namespace espalier {
 namespace {
 
-constexpr std::size_t features = EndOdds().weights.size();
 constexpr double shortest = 2.5; // [spacings] shorter ends are not asked about
 
 struct Example {
@@ -84,11 +87,12 @@ std::optional<Case> caseOf(std::uint64_t number) try {
 }
 
 /// The ends that stay, with their labels.
-std::vector<Example> examplesOf(const Case& of, double leastProbability, const EndOdds& odds) {
+std::vector<Example> examplesOf(const Case& of, double leastProbability,
+                                const ShootProbability& probability) {
   const DecidedEnds decided = withDecidedEnds(
       of.skeleton, of.points, of.plant.cloud->origin(), of.scale,
       {.leastProbability = leastProbability, .length = Length(shortest * of.scale.spacing)}, {},
-      odds);
+      probability);
   const AuthorsComparison comparison = authorsComparison(decided.skeleton, of.plant.truth);
   std::set<NodeId> matched;
   for (const auto& match : comparison.matches)
@@ -106,15 +110,37 @@ void append(std::vector<Example>& all, std::vector<Example> some) {
   }
 }
 
-EndOdds fitted(const std::vector<Example>& examples) {
-  std::vector<LabelledFeatures<features>> labelled;
+template <std::size_t Features>
+std::vector<LabelledFeatures<Features>>
+labelled(const std::vector<Example>& examples,
+         std::array<double, Features> (*features)(const EndEvidence&)) {
+  std::vector<LabelledFeatures<Features>> all;
+  all.reserve(examples.size());
   for (const Example& example : examples)
-    labelled.push_back({featuresOf(example.evidence), example.isShoot ? 1.0 : 0.0, example.weight});
-  return fittedQuadratic(labelled);
+    all.push_back({features(example.evidence), example.isShoot ? 1.0 : 0.0, example.weight});
+  return all;
+}
+
+/// What is fitted: the probability that follows, and how it is printed.
+struct Fitted {
+  ShootProbability probability;
+  std::function<void()> print;
+};
+
+Fitted fitted(const std::vector<Example>& examples, bool isAlone) {
+  if (isAlone) {
+    const EndOdds odds = fittedQuadratic(labelled(examples, featuresOf));
+    return {[odds](const EndEvidence& end) { return probabilityOfShoot(end, odds); },
+            [odds] { printQuadratic(odds); }};
+  }
+  const OddsAmongAll odds = fittedWholeQuadratic(labelled(examples, featuresAmongAll));
+  return {
+      [odds](const EndEvidence& end) { return probabilityOf(odds.value(featuresAmongAll(end))); },
+      [odds] { printQuadratic(odds); }};
 }
 
 /// A reliability diagram as a table, and the expected calibration error.
-void printReliability(const std::vector<Example>& examples, const EndOdds& odds) {
+void printReliability(const std::vector<Example>& examples, const ShootProbability& odds) {
   struct Bin {
     double weight = 0, said = 0, were = 0;
     int count = 0;
@@ -122,7 +148,7 @@ void printReliability(const std::vector<Example>& examples, const EndOdds& odds)
   std::array<Bin, 10> bins;
   double all = 0, wrong = 0;
   for (const Example& example : examples) {
-    const double probability = probabilityOfShoot(example.evidence, odds);
+    const double probability = odds(example.evidence);
     Bin& bin = bins[std::min<std::size_t>(9, static_cast<std::size_t>(10 * probability))];
     bin.weight += example.weight;
     bin.said += example.weight * probability;
@@ -159,9 +185,9 @@ void judge(const std::string& scan, const std::string& reference) {
   const Case one = caseOf(scan, reference);
   const auto show = [&](const char* which, double least) {
     std::vector<Example> examples;
-    append(examples, examplesOf(one, least, fittedEndOdds()));
+    append(examples, examplesOf(one, least, probabilityAlone));
     std::printf("%s, %s:\n", scan.c_str(), which);
-    printReliability(examples, fittedEndOdds());
+    printReliability(examples, probabilityAlone);
   };
   show("before any is taken away", 0);
   show("that stay by default", EndOptions().leastProbability);
@@ -175,32 +201,37 @@ std::vector<Case> casesOf(std::uint64_t from, std::uint64_t to) {
   return cases;
 }
 
-int fitOdds(int plants, int others, int rounds) {
+/// How often ends are shoots, of plants from one number to before another.
+void printOnOthers(std::uint64_t from, std::uint64_t to, const ShootProbability& probability) {
+  std::vector<Example> before, after;
+  for (const Case& one : casesOf(from, to)) {
+    append(before, examplesOf(one, 0, probability));
+    append(after, examplesOf(one, 0.5, probability));
+  }
+  std::printf("of others, before any is taken away:\n");
+  printReliability(before, probability);
+  std::printf("of others, that stay:\n");
+  printReliability(after, probability);
+}
+
+int fitOdds(bool isAlone, int plants, int others, int rounds) {
   const auto count = static_cast<std::uint64_t>(plants);
   const std::vector<Case> cases = casesOf(1, count + 1);
   std::vector<Example> examples;
   for (const Case& one : cases)
-    append(examples, examplesOf(one, 0, {}));
-  EndOdds odds = fitted(examples);
+    append(examples, examplesOf(one, 0, probabilityAmongAll));
+  Fitted odds = fitted(examples, isAlone);
   for (int round = 1; round < rounds; ++round) {
     for (const Case& one : cases)
       for (const double least : {0.2, 0.5})
-        append(examples, examplesOf(one, least, odds));
-    odds = fitted(examples);
+        append(examples, examplesOf(one, least, odds.probability));
+    odds = fitted(examples, isAlone);
   }
   std::printf("%zu examples of %zu plants\n", examples.size(), cases.size());
-  printQuadratic(odds);
+  odds.print();
   std::printf("of these plants, all examples:\n");
-  printReliability(examples, odds);
-  std::vector<Example> before, after;
-  for (const Case& one : casesOf(count + 1, count + 1 + static_cast<std::uint64_t>(others))) {
-    append(before, examplesOf(one, 0, odds));
-    append(after, examplesOf(one, 0.5, odds));
-  }
-  std::printf("of others, before any is taken away:\n");
-  printReliability(before, odds);
-  std::printf("of others, that stay:\n");
-  printReliability(after, odds);
+  printReliability(examples, odds.probability);
+  printOnOthers(count + 1, count + 1 + static_cast<std::uint64_t>(others), odds.probability);
   return 0;
 }
 
@@ -208,18 +239,24 @@ int fitOdds(int plants, int others, int rounds) {
 } // namespace espalier
 
 int main(int argc, char** argv) try {
+  if (argc == 4 && std::string(argv[1]) == "--check") {
+    espalier::printOnOthers(std::strtoull(argv[2], nullptr, 10),
+                            std::strtoull(argv[3], nullptr, 10), espalier::probabilityAmongAll);
+    return 0;
+  }
   if (argc > 1 && std::string(argv[1]) == "--judge") {
     for (int i = 2; i + 1 < argc; i += 2)
       espalier::judge(argv[i], argv[i + 1]);
     return 0;
   }
-  int plants = 180, others = 90, rounds = 3;
-  for (int i = 1; i + 1 < argc; i += 2) {
+  int plants = 540, others = 180, rounds = 3;
+  const bool isAlone = argc > 1 && std::string(argv[1]) == "--alone";
+  for (int i = isAlone ? 2 : 1; i + 1 < argc; i += 2) {
     const std::string name = argv[i];
     int& value = name == "--plants" ? plants : name == "--others" ? others : rounds;
     value = std::atoi(argv[i + 1]);
   }
-  return espalier::fitOdds(plants, others, rounds);
+  return espalier::fitOdds(isAlone, plants, others, rounds);
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 1;

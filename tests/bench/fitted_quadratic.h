@@ -59,35 +59,17 @@ boundedQuadratic(const std::vector<LabelledFeatures<Features>>& examples) {
   return bounds;
 }
 
-/// The logistic regression of examples on their features, each taken as it is and squared: maximum
-/// likelihood by Newton's method, with a ridge of a ten-thousandth on scaled terms.
-template <std::size_t Features>
-[[nodiscard]] Quadratic<Features>
-fittedQuadratic(const std::vector<LabelledFeatures<Features>>& examples) {
-  constexpr auto features = static_cast<Eigen::Index>(Features);
-  constexpr Eigen::Index terms = 1 + 2 * features;
-  const auto count = static_cast<Eigen::Index>(examples.size());
-  Quadratic<Features> odds = boundedQuadratic(examples);
-  Eigen::MatrixXd rows(count, terms);
-  Eigen::VectorXd labels(count), weights(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const auto& example = examples[static_cast<std::size_t>(i)];
-    rows(i, 0) = 1;
-    for (Eigen::Index k = 0; k < features; ++k) {
-      const auto at = static_cast<std::size_t>(k);
-      rows(i, 1 + k) = std::clamp(example.values[at], odds.least[at], odds.most[at]);
-      rows(i, 1 + features + k) = rows(i, 1 + k) * rows(i, 1 + k);
-    }
-    labels[i] = example.label;
-    weights[i] = example.weight;
-  }
+/// The weights of terms that make the labels most likely, a row of terms an example: logistic
+/// regression by Newton's method, with a ridge of a ten-thousandth on scaled terms.
+[[nodiscard]] inline Eigen::VectorXd
+logisticWeights(Eigen::MatrixXd rows, const Eigen::VectorXd& labels, Eigen::VectorXd weights) {
   weights /= weights.mean();
   Eigen::VectorXd scales = (rows.cwiseAbs2().colwise().mean()).cwiseSqrt().transpose();
-  for (Eigen::Index k = 0; k < terms; ++k)
-    if (scales[k] == 0) scales[k] = 1; // nothing has it
+  for (double& scale : scales)
+    if (scale == 0) scale = 1; // nothing has it
   rows = rows * scales.cwiseInverse().asDiagonal();
-  Eigen::VectorXd found = Eigen::VectorXd::Zero(terms);
-  const double ridge = 1e-4 * static_cast<double>(count);
+  Eigen::VectorXd found = Eigen::VectorXd::Zero(rows.cols());
+  const double ridge = 1e-4 * static_cast<double>(rows.rows());
   for (int step = 0; step < 100; ++step) {
     const Eigen::VectorXd said = 1 / (1 + (-(rows * found)).array().exp());
     const Eigen::VectorXd slope =
@@ -99,7 +81,43 @@ fittedQuadratic(const std::vector<LabelledFeatures<Features>>& examples) {
     found += change;
     if (change.cwiseAbs().maxCoeff() < 1e-10) break;
   }
-  found = found.cwiseQuotient(scales);
+  return found.cwiseQuotient(scales);
+}
+
+template <std::size_t Features>
+[[nodiscard]] Eigen::VectorXd labelsOf(const std::vector<LabelledFeatures<Features>>& examples) {
+  Eigen::VectorXd labels(static_cast<Eigen::Index>(examples.size()));
+  for (Eigen::Index i = 0; i < labels.size(); ++i)
+    labels[i] = examples[static_cast<std::size_t>(i)].label;
+  return labels;
+}
+
+template <std::size_t Features>
+[[nodiscard]] Eigen::VectorXd weightsOf(const std::vector<LabelledFeatures<Features>>& examples) {
+  Eigen::VectorXd weights(static_cast<Eigen::Index>(examples.size()));
+  for (Eigen::Index i = 0; i < weights.size(); ++i)
+    weights[i] = examples[static_cast<std::size_t>(i)].weight;
+  return weights;
+}
+
+/// The logistic regression of examples on their features, each taken as it is and squared.
+template <std::size_t Features>
+[[nodiscard]] Quadratic<Features>
+fittedQuadratic(const std::vector<LabelledFeatures<Features>>& examples) {
+  constexpr auto features = static_cast<Eigen::Index>(Features);
+  Quadratic<Features> odds = boundedQuadratic(examples);
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(examples.size()), 1 + 2 * features);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    const auto& example = examples[static_cast<std::size_t>(i)];
+    rows(i, 0) = 1;
+    for (Eigen::Index k = 0; k < features; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      rows(i, 1 + k) = std::clamp(example.values[at], odds.least[at], odds.most[at]);
+      rows(i, 1 + features + k) = rows(i, 1 + k) * rows(i, 1 + k);
+    }
+  }
+  const Eigen::VectorXd found =
+      logisticWeights(std::move(rows), labelsOf(examples), weightsOf(examples));
   odds.constant = found[0];
   for (Eigen::Index i = 0; i < features; ++i) {
     odds.weights[static_cast<std::size_t>(i)] = found[1 + i];
@@ -108,19 +126,59 @@ fittedQuadratic(const std::vector<LabelledFeatures<Features>>& examples) {
   return odds;
 }
 
+/// The logistic regression of examples on their features and all products of two of them.
+template <std::size_t Features>
+[[nodiscard]] WholeQuadratic<Features>
+fittedWholeQuadratic(const std::vector<LabelledFeatures<Features>>& examples) {
+  constexpr auto features = static_cast<Eigen::Index>(Features);
+  constexpr auto pairs = static_cast<Eigen::Index>(WholeQuadratic<Features>::pairs);
+  WholeQuadratic<Features> odds;
+  const Quadratic<Features> bounds = boundedQuadratic(examples);
+  odds.least = bounds.least;
+  odds.most = bounds.most;
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(examples.size()), 1 + features + pairs);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    const auto taken = odds.scaled(examples[static_cast<std::size_t>(i)].values);
+    Eigen::Index next = 0;
+    rows(i, next++) = 1;
+    for (const double value : taken)
+      rows(i, next++) = value;
+    for (std::size_t k = 0; k < Features; ++k)
+      for (std::size_t m = k; m < Features; ++m)
+        rows(i, next++) = taken[k] * taken[m];
+  }
+  const Eigen::VectorXd found =
+      logisticWeights(std::move(rows), labelsOf(examples), weightsOf(examples));
+  odds.constant = found[0];
+  std::copy_n(found.begin() + 1, features, odds.weights.begin());
+  std::copy_n(found.begin() + 1 + features, pairs, odds.pairWeights.begin());
+  return odds;
+}
+
+/// A list of numbers as it stands in the sources.
+template <std::size_t Count>
+void printNumbers(const char* name, const std::array<double, Count>& values) {
+  std::printf("      .%s = {", name);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    std::printf("%s%.4f", i ? ", " : "", values[i]);
+  std::printf("},\n");
+}
+
 /// As it stands in the sources.
 template <std::size_t Features> void printQuadratic(const Quadratic<Features>& odds) {
-  const auto list = [](const char* name, const auto& values) {
-    std::printf("      .%s = {", name);
-    for (std::size_t i = 0; i < values.size(); ++i)
-      std::printf("%s%.4f", i ? ", " : "", values[i]);
-    std::printf("},\n");
-  };
   std::printf("      .constant = %.4f,\n", odds.constant);
-  list("weights", odds.weights);
-  list("squareWeights", odds.squareWeights);
-  list("least", odds.least);
-  list("most", odds.most);
+  printNumbers("weights", odds.weights);
+  printNumbers("squareWeights", odds.squareWeights);
+  printNumbers("least", odds.least);
+  printNumbers("most", odds.most);
+}
+
+template <std::size_t Features> void printQuadratic(const WholeQuadratic<Features>& odds) {
+  std::printf("      .constant = %.4f,\n", odds.constant);
+  printNumbers("weights", odds.weights);
+  printNumbers("pairWeights", odds.pairWeights);
+  printNumbers("least", odds.least);
+  printNumbers("most", odds.most);
 }
 
 } // namespace espalier

@@ -73,6 +73,19 @@ TEST(DecideEnds, SaysHowProbableEachEndIs) {
     EXPECT_TRUE(staying.contains(end.nodes.front()));
 }
 
+TEST(DecideEnds, AsksTheOddsThatAreGiven) {
+  const test::SimulatedPlant& tree = test::simulatedTree();
+  const auto byLength = [](const EndEvidence& end) { return end.length > 20 ? 0.9 : 0.1; };
+  const DecidedEnds result =
+      withDecidedEnds(tree.truth, tree.cloud.positions(), tree.cloud.origin(), scale,
+                      {.leastProbability = 0.5, .length = 0}, {}, byLength);
+  std::set<double> said;
+  for (const EndDecision& decision : result.decisions)
+    said.insert(decision.probability);
+  EXPECT_EQ(said, (std::set{0.1, 0.9}));
+  EXPECT_LT(test::countTips(result.skeleton), test::countTips(tree.truth));
+}
+
 TEST(DecideEnds, KeepsOneEndOfEachBranching) {
   const Skeleton& truth = test::simulatedTree().truth;
   const DecidedEnds least = decided(truth, {.leastProbability = 1, .length = 0});

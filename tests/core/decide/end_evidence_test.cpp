@@ -1,4 +1,4 @@
-#include "core/decide/end_evidence.h"
+#include "core/decide/end_odds.h"
 #include "core/evaluate/study/perturbation.h"
 #include "tests/support/clouds.h"
 #include "tests/support/plants.h"
@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -51,7 +52,45 @@ TEST(EndEvidence, IsInSpacings) {
   EXPECT_NEAR(found.scatter, 0.2, 1e-6);
   EXPECT_NEAR(found.turn, 0, 1e-12);
   EXPECT_DOUBLE_EQ(found.share, 0.3);
-  EXPECT_DOUBLE_EQ(found.others, found.scatter); // the lower median: points of the stem are farther
+}
+
+TEST(EndEvidence, SaysWhatAllEndsAreLike) {
+  const Eigen::Matrix3Xf points = pointsOnBoth();
+  const PlantScale scale{.spacing = 0.5, .height = 10, .thickness = 1, .scatter = 0.1};
+  const EndsOfSkeleton ends(withLateral(), points, Eigen::Vector3d::Zero(), scale);
+  const EndEvidence& lateral = endWith(ends, NodeId{13}).evidence;
+  const EndEvidence& stem = endWith(ends, NodeId{10}).evidence;
+  const AllEnds& all = lateral.all;
+  EXPECT_EQ(all.count, 2);
+  EXPECT_DOUBLE_EQ(all.scatter,
+                   lateral.scatter);   // the lower median: points of the stem are farther
+  EXPECT_NEAR(all.standing, 0, 1e-12); // both stand out by all of their length
+  EXPECT_NEAR(all.alone, (shareAlone(lateral) + shareAlone(stem)) / 2, 1e-12);
+  EXPECT_NEAR(all.aloneSpread, std::abs(shareAlone(lateral) - shareAlone(stem)) / 2, 1e-12);
+  EXPECT_DOUBLE_EQ(all.thickness, 2);
+  EXPECT_DOUBLE_EQ(all.noise, 0.2);
+  EXPECT_EQ(stem.all.count, 2);
+}
+
+// Nothing is known then of what scan they are of.
+TEST(EndEvidence, OfAPlantWhoseThicknessIsNotKnownStandsByItself) {
+  const Eigen::Matrix3Xf points = pointsOnBoth();
+  const EndsOfSkeleton ends(withLateral(), points, Eigen::Vector3d::Zero(), {0.5, 10});
+  const EndEvidence& found = ends.ends().front().evidence;
+  EXPECT_DOUBLE_EQ(probabilityAmongAll(found), probabilityOfShoot(found));
+}
+
+// What two ends are like says little of all that a plant may have.
+TEST(EndEvidence, OfFewEndsStandsByItselfTheMore) {
+  const Eigen::Matrix3Xf points = pointsOnBoth();
+  const PlantScale scale{.spacing = 0.5, .height = 10, .thickness = 1, .scatter = 0.1};
+  const EndsOfSkeleton ends(withLateral(), points, Eigen::Vector3d::Zero(), scale);
+  EndEvidence found = ends.ends().front().evidence;
+  const double alone = probabilityOfShoot(found);
+  const double ofTwo = std::abs(probabilityAmongAll(found) - alone);
+  found.all.count = 8; // below what was fitted on, as two are
+  EXPECT_GT(ofTwo, 0);
+  EXPECT_LT(ofTwo, std::abs(probabilityAmongAll(found) - alone));
 }
 
 TEST(EndEvidence, CountsNoPointThatTheBearerExplains) {
@@ -94,6 +133,7 @@ TEST(EndEvidence, FollowsWhatIsTakenAway) {
   std::set<NodeId> taken;
   for (const std::size_t i : gone)
     taken.insert(ends.ends()[i].end.nodes.begin(), ends.ends()[i].end.nodes.end());
+  const auto before = static_cast<double>(ends.ends().size());
   ends.remove(gone);
 
   std::vector<Eigen::Index> others;
@@ -110,6 +150,7 @@ TEST(EndEvidence, FollowsWhatIsTakenAway) {
     EXPECT_DOUBLE_EQ(a.length, b.length);
     EXPECT_DOUBLE_EQ(a.protrusion, b.protrusion);
     EXPECT_DOUBLE_EQ(a.turn, b.turn);
+    EXPECT_EQ(b.all.count, before) << "of those there were at first";
     // Where two edges meet, a point may be given to either.
     EXPECT_NEAR(a.points, b.points, 3) << i;
     EXPECT_NEAR(a.alone, b.alone, 3) << i;

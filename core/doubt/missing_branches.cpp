@@ -34,8 +34,8 @@ Skeleton tracedAlong(const std::vector<Finding>& clusters, const Skeleton& skele
       return sources.distances.toSurface()[static_cast<std::size_t>(point)];
     });
     const Eigen::Vector3d start = cloud.positions().col(foot).cast<double>() + cloud.origin();
-    const Skeleton traced =
-        treeAlong(cloud, points, start, edge, progress.part(share(i), share(i + 1)));
+    const Skeleton traced = treeAlong(cloud, points, start, edge, TracedFrom::end,
+                                      progress.part(share(i), share(i + 1)));
     std::vector<NodeId> copies(traced.idEnd());
     for (const NodeId id : traced.ids()) {
       Node copy = traced[id];

@@ -77,31 +77,32 @@ Skeleton grownPart(const PointCloud& cloud, const std::vector<Eigen::Index>& poi
 }
 
 Skeleton treeAlong(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
-                   const Eigen::Vector3d& start, double edge, const Progress& progress) {
+                   const Eigen::Vector3d& start, double edge, TracedFrom from,
+                   const Progress& progress) {
   constexpr int mostBranches = 50;
   constexpr double about = 3;    // spacings beside the wood: its points
   constexpr double shortest = 6; // spacings: what is shorter is noise more often than not
   const auto own = std::make_shared<const PointCloud>(partOf(cloud, points));
   const TraceGraph graph(own, nullptr, progress.part(0, 0.5));
-  const Eigen::Vector3d end = graph.farthestFrom(start);
-  const Eigen::Vector3d otherEnd = graph.farthestFrom(end);
+  const Eigen::Vector3d first = from == TracedFrom::start ? start : graph.farthestFrom(start);
+  const Eigen::Vector3d last = graph.farthestFrom(first);
   Skeleton tree;
-  if (end == otherEnd) return tree;
+  if (first == last) return tree;
   if (points.size() < fewestPoints) { // their course is that of chance
-    const NodeId first = tree.add({.position = end});
-    tree.add({.position = otherEnd, .parent = first});
+    const NodeId root = tree.add({.position = first});
+    tree.add({.position = last, .parent = root});
     const double radius = meanDistance(cloud, points, tree);
     for (const NodeId id : tree.ids())
       tree.setRadius(id, radius);
     return tree;
   }
-  const double step = std::min(edge, (end - otherEnd).norm() / 2);
+  const double step = std::min(edge, (first - last).norm() / 2);
   const Trace trace =
-      graph.between({end}, {otherEnd}, {.step = step, .alternatives = 0}, progress.part(0.5, 0.6))
+      graph.between({first}, {last}, {.step = step, .alternatives = 0}, progress.part(0.5, 0.6))
           .front();
-  std::optional<NodeId> last;
+  std::optional<NodeId> above;
   for (std::size_t i = 0; i < trace.places.size(); ++i)
-    last = tree.add({.position = trace.places[i], .radius = trace.radii[i], .parent = last});
+    above = tree.add({.position = trace.places[i], .radius = trace.radii[i], .parent = above});
   const double beside = meanDistance(cloud, points, tree);
   const auto fillRadii = [&] {
     for (const NodeId id : tree.ids())
@@ -149,7 +150,7 @@ Skeleton grownOrTraced(const PointCloud& cloud, const std::vector<Eigen::Index>&
   } catch (const Error&) { // it makes no plant of them: too few along it
   }
   if (points.size() > most && grown.size() > 1) return grown;
-  Skeleton traced = treeAlong(cloud, points, root, edge, progress.part(0.7, 1));
+  Skeleton traced = treeAlong(cloud, points, root, edge, TracedFrom::end, progress.part(0.7, 1));
   const double ofGrown = meanDistance(cloud, points, grown);
   return ofGrown < clearly * meanDistance(cloud, points, traced) ? grown : traced;
 }

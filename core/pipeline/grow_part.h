@@ -54,16 +54,23 @@ struct PointByFrustum {
                                  const Eigen::Vector3d& root, const PlantScale& whole,
                                  const PipelineOptions& options, const Progress& progress = {});
 
-/// Nodes along some points of a cloud: a trace from end to end of them, and one for each branch of
-/// 6 spacings or more off it, at most 50. Of fewer than 20 points, a straight line.
+/// Where a trace along points begins.
+enum class TracedFrom {
+  end,  // of the points
+  start // the place where they are meant: of a node that carries them
+};
+
+/// Nodes along some points of a cloud: a trace from end to end of them, or from `start` to the
+/// farthest, and one for each branch of 6 spacings or more off it, at most 50. Of fewer than 20
+/// points, a straight line.
 /// @param points  columns, ascending; not empty
 /// @param start   [L], frame of the file: where the points are meant
 /// @param edge    [L] wanted length of edges, > 0; shorter in bends
-/// @return a tree of two nodes or more; empty if the points have no length
+/// @return a tree of two nodes or more; empty if there is no length from first to last
 /// @throws Cancelled if `progress` asks to stop
 /// Time O(b n log n) for b branches.
 [[nodiscard]] Skeleton treeAlong(const PointCloud& cloud, const std::vector<Eigen::Index>& points,
-                                 const Eigen::Vector3d& start, double edge,
+                                 const Eigen::Vector3d& start, double edge, TracedFrom from,
                                  const Progress& progress = {});
 
 /// How far points lie from the edges of a skeleton, in the mean [L]; infinite if it has none.

@@ -107,7 +107,8 @@ Skeleton regrown(const Skeleton& skeleton, NodeId node,
   std::vector<Skeleton> candidates = {
       grownOrTraced(*cloud, points, foot, whole, options.pipeline, edge, progress.part(0.5, 0.9))};
   if (isChain)
-    candidates.push_back(treeAlong(*cloud, points, foot, edge, progress.part(0.9, 0.95)));
+    candidates.push_back(
+        treeAlong(*cloud, points, foot, edge, TracedFrom::start, progress.part(0.9, 0.95)));
   const AttachOptions attach{.spacing = whole.spacing, .widestGap = widestGap, .widestJoin = reach};
   Skeleton best;
   double least = unbounded;

@@ -20,7 +20,8 @@ struct RegrowOptions {
 /// edge explains no more than the tolerance: there the branch begins. All steps of the pipeline run
 /// on them, with the settings that its rules give for the whole scan, so that what grows looks like
 /// the rest; or branches are traced along them, where that follows them as well, with edges as long
-/// as there were. No new node is thicker than `node`, if that has a radius, and none turns back
+/// as there were: in place of unbranched nodes also from the node on, where their ends lie before
+/// and behind it. No new node is thicker than `node`, if that has a radius, and none turns back
 /// sharply.
 ///
 /// @param skeleton with radii, in the frame of the file; contains `node`

@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "core/evaluate/match/tolerance_curve.h"
+#include "core/pipeline/grow_part.h"
 #include "core/pipeline/regrow.h"
 #include "core/skeleton/assign_points.h"
 #include "core/skeleton/branch_edits.h"
@@ -152,6 +153,29 @@ TEST(Regrow, FollowsABendNearATip) {
     return sum;
   };
   EXPECT_LE(mean(grown), mean(before) + 0.002) << "half the radius of the twig";
+}
+
+TEST(Regrow, TracesFromEndToEndOrFromThePlaceThatIsGiven) {
+  RawPoints raw;
+  std::vector<Eigen::Index> all;
+  for (int i = 0; i < 300; ++i) {
+    raw.positions.emplace_back(0.006 * std::cos(2.4 * i), 0.006 * std::sin(2.4 * i), i / 200.0);
+    all.push_back(i);
+  }
+  const PointCloud cloud(std::move(raw));
+  const Eigen::Vector3d place(0, 0, 0.4);
+  const auto lowest = [](const Skeleton& tree) {
+    const std::vector<NodeId> ids = tree.ids();
+    return std::ranges::min(ids, {}, [&](NodeId id) { return tree[id].position.z(); });
+  };
+  const Skeleton whole = treeAlong(cloud, all, place, 0.1, TracedFrom::end);
+  EXPECT_NEAR(whole[whole.roots().front()].position.z(), 1.5, 0.02) << "the end farthest from it";
+  EXPECT_LT(whole[lowest(whole)].position.z(), 0.02);
+  EXPECT_EQ(whole.children(whole.roots().front()).size(), 1U);
+  const Skeleton both = treeAlong(cloud, all, place, 0.1, TracedFrom::start);
+  EXPECT_NEAR((both[both.roots().front()].position - place).norm(), 0, 0.01);
+  EXPECT_EQ(both.children(both.roots().front()).size(), 2U) << "up, and back to the other end";
+  EXPECT_LT(both[lowest(both)].position.z(), 0.02);
 }
 
 TEST(Regrow, FindsBothArmsAboveATrunk) {

@@ -24,8 +24,8 @@ template <std::size_t Features> struct Quadratic {
   }
 };
 
-/// The same of features and of all products of two of them. Each feature is taken from -1 at the
-/// least that was seen to 1 at the most.
+/// The same of features and of all products of two of them. Each feature is taken from -1 at its
+/// least to 1 at its most, and beyond them as there.
 template <std::size_t Features> struct WholeQuadratic {
   static constexpr std::size_t pairs = Features * (Features + 1) / 2;
 

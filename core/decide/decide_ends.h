@@ -12,7 +12,7 @@
 namespace espalier {
 
 struct EndOptions {
-  double leastProbability = 0.55; // in [0, 1]: less probable ends go
+  double leastProbability = 0.6;  // in [0, 1]: less probable ends go
   Length length = thicknesses(2); // [L] shorter ends go in any case
 };
 
@@ -44,9 +44,10 @@ using ShootProbability = std::function<double(const EndEvidence&)>;
 /// @param scale   of the plant, spacing and height
 /// Uses all threads, deterministic. Time O(N log n).
 /// @throws Cancelled if `progress` asks to stop
-[[nodiscard]] DecidedEnds withDecidedEnds(const Skeleton& skeleton, const Eigen::Matrix3Xf& points,
-                                          const Eigen::Vector3d& origin, const PlantScale& scale,
-                                          const EndOptions& options, const Progress& progress = {},
-                                          const ShootProbability& probability = probabilityAlone);
+[[nodiscard]] DecidedEnds
+withDecidedEnds(const Skeleton& skeleton, const Eigen::Matrix3Xf& points,
+                const Eigen::Vector3d& origin, const PlantScale& scale, const EndOptions& options,
+                const Progress& progress = {},
+                const ShootProbability& probability = probabilityAmongAll);
 
 } // namespace espalier

@@ -15,8 +15,8 @@
 
 namespace espalier {
 
-/// What all ends of a skeleton are like, before any is taken away, and the scan. Lengths in point
-/// spacings.
+/// What all ends of a skeleton are like that are long enough to be asked about, before any is taken
+/// away, and the scan. Lengths in point spacings.
 struct AllEnds {
   double count = 0;
   double scatter = 0;     // median of theirs: of what stands around thin wood in this scan, needles

@@ -4,6 +4,13 @@
 #include <cmath>
 
 namespace espalier {
+namespace {
+
+double probabilityOf(double logOdds) {
+  return 1 / (1 + std::exp(-logOdds));
+}
+
+} // namespace
 
 // What is added keeps the logarithm of nothing finite.
 std::array<double, 10> featuresOf(const EndEvidence& evidence) {
@@ -30,22 +37,15 @@ std::array<double, 16> featuresAmongAll(const EndEvidence& evidence) {
   return features;
 }
 
-double probabilityOf(double logOdds) {
-  return 1 / (1 + std::exp(-logOdds));
-}
-
 double probabilityOfShoot(const EndEvidence& evidence, const EndOdds& odds) {
   return probabilityOf(odds.value(featuresOf(evidence)));
-}
-
-double probabilityAlone(const EndEvidence& evidence) {
-  return probabilityOfShoot(evidence);
 }
 
 double probabilityAmongAll(const EndEvidence& evidence) {
   constexpr double few = 12; // ends: of so many, what they are like counts half as much
   const AllEnds& all = evidence.all;
-  const double share = std::isfinite(all.thickness) ? 0.5 * all.count / (all.count + few) : 0;
+  if (!std::isfinite(all.thickness)) return probabilityOfShoot(evidence);
+  const double share = 0.5 * all.count / (all.count + few);
   const double alone = fittedEndOdds().value(featuresOf(evidence));
   const double amongAll = fittedOddsAmongAll().value(featuresAmongAll(evidence));
   return probabilityOf(alone + share * (amongAll - alone));

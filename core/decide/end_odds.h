@@ -23,23 +23,16 @@ using OddsAmongAll = WholeQuadratic<16>;
 [[nodiscard]] const EndOdds& fittedEndOdds();
 [[nodiscard]] const OddsAmongAll& fittedOddsAmongAll();
 
-/// In (0, 1).
-[[nodiscard]] double probabilityOf(double logOdds);
-
 /// How probable it is that an end is a shoot, in (0, 1): that the measure of the method's authors
 /// (core/evaluate/match/authors_comparison.h) finds it in the plant, too. Of any skeleton, also one
 /// that was decided on or corrected.
 [[nodiscard]] double probabilityOfShoot(const EndEvidence& evidence,
                                         const EndOdds& odds = fittedEndOdds());
 
-/// By the odds that are fitted.
-[[nodiscard]] double probabilityAlone(const EndEvidence& evidence);
-
-/// Not in use yet (CONTRIBUTING.md): the same of a skeleton of which no end was decided on: there,
-/// what all its ends are like says what plant and scan it is of, and more are right. Up to halfway
-/// between both odds, by their logarithms, since plants that none of the fitted ones is like are
-/// judged better so: less far the fewer ends there are, and as by itself where the thickness of the
-/// wood is not known.
+/// The same of a skeleton of which no end was decided on: there, what all its ends are like says
+/// what plant and scan it is of, and more are right. Up to halfway between both odds, by their
+/// logarithms, since plants that none of the fitted ones is like are judged better so: less far the
+/// fewer ends there are, and as by itself where the thickness of the wood is not known.
 [[nodiscard]] double probabilityAmongAll(const EndEvidence& evidence);
 
 } // namespace espalier

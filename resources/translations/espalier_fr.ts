@@ -10843,8 +10843,8 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>Feuilles</translation>
     </message>
     <message>
-        <source>For herbs, seedlings and grasses with large leaves: only ends that are more probably shoots or midribs than not; all else as by default.</source>
-        <translation>Pour les herbacées, plantules et graminées à grandes feuilles&#xa0;: seulement les extrémités qui sont plus probablement des pousses ou des nervures médianes que le contraire&#xa0;; le reste par défaut.</translation>
+        <source>For herbs, seedlings and grasses with large leaves: fewer ends, only those that are quite probably shoots or midribs; all else as by default.</source>
+        <translation>Pour les herbacées, plantules et graminées à grandes feuilles&#xa0;: moins d’extrémités, seulement celles qui sont très probablement des pousses ou des nervures médianes&#xa0;; le reste par défaut.</translation>
     </message>
     <message>
         <source>Tree without Leaves</source>
@@ -12859,24 +12859,24 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>base</translation>
     </message>
     <message>
-        <source>For trees and shrubs in winter: fewer ends, those that are rather probably shoots.</source>
-        <translation>Pour les arbres et arbustes en hiver&#xa0;: moins d’extrémités, celles qui sont assez probablement des pousses.</translation>
+        <source>For trees and shrubs in winter: as by default; no other settings were better on simulated ones.</source>
+        <translation>Pour les arbres et arbustes en hiver&#xa0;: comme par défaut&#xa0;; aucun autre réglage n’était meilleur sur des plantes simulées.</translation>
     </message>
     <message>
-        <source>For conifers with needles: fewer ends, those that are rather probably shoots.</source>
-        <translation>Pour les conifères à aiguilles&#xa0;: moins d’extrémités, celles qui sont assez probablement des pousses.</translation>
+        <source>For conifers with needles: as by default; no other settings were better on simulated ones.</source>
+        <translation>Pour les conifères à aiguilles&#xa0;: comme par défaut&#xa0;; aucun autre réglage n’était meilleur sur des plantes simulées.</translation>
     </message>
     <message>
-        <source>For trees and shrubs in leaf: fewer ends, those that are quite probably shoots.</source>
-        <translation>Pour les arbres et arbustes feuillés&#xa0;: moins d’extrémités, celles qui sont très probablement des pousses.</translation>
+        <source>For trees and shrubs in leaf: as by default; no other settings were better on simulated ones.</source>
+        <translation>Pour les arbres et arbustes feuillés&#xa0;: comme par défaut&#xa0;; aucun autre réglage n’était meilleur sur des plantes simulées.</translation>
     </message>
     <message>
         <source>For herbs with leaves on petioles: more ends, also of those that are less probably midribs than not.</source>
         <translation>Pour les herbacées à feuilles pétiolées&#xa0;: plus d’extrémités, dont celles qui sont peut-être des nervures médianes.</translation>
     </message>
     <message>
-        <source>For grasses such as maize: as by default, which nothing betters there.</source>
-        <translation>Pour les graminées comme le maïs&#xa0;: comme par défaut, rien n’y fait mieux.</translation>
+        <source>For grasses such as maize: as by default; no other settings were better on simulated ones.</source>
+        <translation>Pour les graminées comme le maïs&#xa0;: comme par défaut&#xa0;; aucun autre réglage n’était meilleur sur des plantes simulées.</translation>
     </message>
     <message>
         <source>nothing grows from these points: they are too few, or too far from the plant; choose others, or trace the branch</source>

@@ -6,16 +6,16 @@
 //   espalier_fit_odds --judge SCAN REFERENCE [SCAN REFERENCE ...]
 //
 // Without --alone the odds of an end among all ends of its plant, with it those of an end by
-// itself. N plants, 540 if it is not said, are fitted on, the next M, 180, are judged by; every
-// third shows leaves or needles of its kind (organ_scans.h), the others are of any kind. An end is
-// labelled a shoot if the measure of the method's authors matches its segment to one of the truth.
-// Examples are the ends of skeletons before any are taken away, and in later rounds (3) also those
-// that are there after they were taken away by the odds of the round before: what is asked in
-// between. Each plant weighs as the root of its examples.
+// itself. N plants, 540 if it is not said and 180 of --alone, are fitted on, the next M, 180 and
+// 90, are judged by; every third shows leaves or needles of its kind (organ_scans.h), the others
+// are of any kind. An end is labelled a shoot if the measure of the method's authors matches its
+// segment to one of the truth. Examples are the ends of skeletons before any are taken away, and in
+// later rounds (3) also those that are there after they were taken away by the odds of the round
+// before: what is asked in between. Each plant weighs as the root of its examples.
 //
-// --check fits nothing: it shows the same of the odds among all, on plants of these numbers,
-// as 541 721. --judge, likewise: it shows how often the odds that are in use are right on real
-// scans, whose references are laid on what is found; of each pair alone.
+// --check fits nothing: it shows how often the odds by which ends are decided, up to halfway
+// between both, are right on plants from number FROM to before TO, as 541 721. --judge, likewise,
+// on real scans, whose references are laid on what is found; of each pair alone.
 #include "core/cloud/point_set.h"
 #include "core/decide/decide_ends.h"
 #include "core/evaluate/match/authors_comparison.h"
@@ -134,9 +134,10 @@ Fitted fitted(const std::vector<Example>& examples, bool isAlone) {
             [odds] { printQuadratic(odds); }};
   }
   const OddsAmongAll odds = fittedWholeQuadratic(labelled(examples, featuresAmongAll));
-  return {
-      [odds](const EndEvidence& end) { return probabilityOf(odds.value(featuresAmongAll(end))); },
-      [odds] { printQuadratic(odds); }};
+  return {[odds](const EndEvidence& end) {
+            return 1 / (1 + std::exp(-odds.value(featuresAmongAll(end))));
+          },
+          [odds] { printQuadratic(odds); }};
 }
 
 /// A reliability diagram as a table, and the expected calibration error.
@@ -185,9 +186,9 @@ void judge(const std::string& scan, const std::string& reference) {
   const Case one = caseOf(scan, reference);
   const auto show = [&](const char* which, double least) {
     std::vector<Example> examples;
-    append(examples, examplesOf(one, least, probabilityAlone));
+    append(examples, examplesOf(one, least, probabilityAmongAll));
     std::printf("%s, %s:\n", scan.c_str(), which);
-    printReliability(examples, probabilityAlone);
+    printReliability(examples, probabilityAmongAll);
   };
   show("before any is taken away", 0);
   show("that stay by default", EndOptions().leastProbability);
@@ -249,8 +250,8 @@ int main(int argc, char** argv) try {
       espalier::judge(argv[i], argv[i + 1]);
     return 0;
   }
-  int plants = 540, others = 180, rounds = 3;
   const bool isAlone = argc > 1 && std::string(argv[1]) == "--alone";
+  int plants = isAlone ? 180 : 540, others = isAlone ? 90 : 180, rounds = 3;
   for (int i = isAlone ? 2 : 1; i + 1 < argc; i += 2) {
     const std::string name = argv[i];
     int& value = name == "--plants" ? plants : name == "--others" ? others : rounds;

@@ -13,7 +13,8 @@
 namespace espalier {
 namespace {
 
-constexpr PlantScale scale{.spacing = 0.01, .height = 4}; // of simulatedTree() [m], about
+// Of simulatedTree() [m], about.
+constexpr PlantScale scale{.spacing = 0.01, .height = 4, .thickness = 0.02, .scatter = 0.001};
 
 DecidedEnds decided(const Skeleton& skeleton, const EndOptions& options) {
   const test::SimulatedPlant& tree = test::simulatedTree();

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -80,17 +81,23 @@ TEST(EndEvidence, OfAPlantWhoseThicknessIsNotKnownStandsByItself) {
   EXPECT_DOUBLE_EQ(probabilityAmongAll(found), probabilityOfShoot(found));
 }
 
+double logOdds(double probability) {
+  return std::log(probability / (1 - probability));
+}
+
 // What two ends are like says little of all that a plant may have.
 TEST(EndEvidence, OfFewEndsStandsByItselfTheMore) {
   const Eigen::Matrix3Xf points = pointsOnBoth();
   const PlantScale scale{.spacing = 0.5, .height = 10, .thickness = 1, .scatter = 0.1};
   const EndsOfSkeleton ends(withLateral(), points, Eigen::Vector3d::Zero(), scale);
   EndEvidence found = ends.ends().front().evidence;
-  const double alone = probabilityOfShoot(found);
-  const double ofTwo = std::abs(probabilityAmongAll(found) - alone);
-  found.all.count = 8; // below what was fitted on, as two are
-  EXPECT_GT(ofTwo, 0);
-  EXPECT_LT(ofTwo, std::abs(probabilityAmongAll(found) - alone));
+  const double alone = logOdds(probabilityOfShoot(found));
+  for (const auto& [count, share] : {std::pair(2, 1.0 / 14), {12, 0.25}, {588, 0.49}}) {
+    found.all.count = count;
+    const double among = fittedOddsAmongAll().value(featuresAmongAll(found));
+    ASSERT_GT(std::abs(among - alone), 0.01);
+    EXPECT_NEAR((logOdds(probabilityAmongAll(found)) - alone) / (among - alone), share, 1e-9);
+  }
 }
 
 TEST(EndEvidence, CountsNoPointThatTheBearerExplains) {

@@ -9,6 +9,7 @@
 #include <QListWidget>
 #include <QPainter>
 #include <QPixmap>
+#include <QRegularExpression>
 #include <QStyledItemDelegate>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -62,6 +63,15 @@ bool movesChoice(int key) {
          key == Qt::Key_PageDown;
 }
 
+/// As it was typed, or in the singular: "errors" finds "Next Error".
+QString wordIn(const QString& text, const QString& typed) {
+  static const QRegularExpression plural(QStringLiteral("^.{2,}[^isu]s$"),
+                                         QRegularExpression::CaseInsensitiveOption);
+  return plural.match(typed).hasMatch() && !text.contains(typed, Qt::CaseInsensitive)
+             ? typed.chopped(1)
+             : typed;
+}
+
 } // namespace
 
 CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* parent)
@@ -92,7 +102,8 @@ CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* parent)
 
 int CommandPalette::match(const QString& text, const QString& typed) {
   int score = 1;
-  for (const QString& word : typed.split(' ', Qt::SkipEmptyParts)) {
+  for (const QString& each : typed.split(' ', Qt::SkipEmptyParts)) {
+    const QString word = wordIn(text, each);
     if (!text.contains(word, Qt::CaseInsensitive)) return 0;
     const bool beginsWord = text.startsWith(word, Qt::CaseInsensitive) ||
                             text.contains(" " + word, Qt::CaseInsensitive);

@@ -17,7 +17,8 @@ public:
   explicit CommandPalette(const QList<QAction*>& actions, QWidget* parent = nullptr);
 
   /// How well `text` matches what was typed: each word of it must begin a word of the text or, less
-  /// well, stand anywhere in it; best, they stand there as they were typed. 0: not at all.
+  /// well, stand anywhere in it, if need be without the s of a plural; best, they stand there as
+  /// they were typed. 0: not at all.
   [[nodiscard]] static int match(const QString& text, const QString& typed);
 
 protected:

@@ -15,6 +15,9 @@ TEST(CommandPalette, WantsEveryWordThatIsTyped) {
   EXPECT_GT(CommandPalette::match("Skeleton: Remove Subtree", "TREE"), 0);
   EXPECT_EQ(CommandPalette::match("Skeleton: Remove Subtree", "remove node"), 0);
   EXPECT_GT(CommandPalette::match("Skeleton: Remove Subtree", ""), 0);
+  EXPECT_GT(CommandPalette::match("Evaluate: Next Error", "errors"), 0) << "in the plural, too";
+  EXPECT_EQ(CommandPalette::match("Evaluate: Next Error", "nexts as"), 0);
+  EXPECT_EQ(CommandPalette::match("View: Maximum", "axis"), 0) << "no plural";
   EXPECT_GT(CommandPalette::match("Preview: Color What Differs", "color what"),
             CommandPalette::match("View: Colors Span What Is Seen", "color what"));
 }

@@ -107,7 +107,8 @@ int CommandPalette::match(const QString& text, const QString& typed) {
     if (!text.contains(word, Qt::CaseInsensitive)) return 0;
     const bool beginsWord = text.startsWith(word, Qt::CaseInsensitive) ||
                             text.contains(" " + word, Qt::CaseInsensitive);
-    score += beginsWord ? 10 : 1;
+    const int beginning = word == each ? 10 : 5; // as it was typed before a singular
+    score += beginsWord ? beginning : 1;
   }
   const QString phrase = typed.simplified();
   if (phrase.contains(' ') && text.contains(phrase, Qt::CaseInsensitive)) score += 5;

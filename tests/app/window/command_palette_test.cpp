@@ -22,6 +22,11 @@ TEST(CommandPalette, WantsEveryWordThatIsTyped) {
             CommandPalette::match("View: Colors Span What Is Seen", "color what"));
 }
 
+TEST(CommandPalette, PrefersThePluralThatIsTyped) {
+  EXPECT_GT(CommandPalette::match("Review: All Findings", "findings"),
+            CommandPalette::match("Review: Next Finding", "findings"));
+}
+
 TEST(CommandPalette, PrefersBeginningsOfWords) {
   EXPECT_GT(CommandPalette::match("View: Top", "to"),
             CommandPalette::match("Edit: Customize", "to"));

@@ -2,6 +2,8 @@
 
 #include "core/base/error.h"
 
+#include <QMetaObject>
+
 namespace espalier {
 
 JobSlot::JobSlot(JobQueue& queue, JobPriority priority, QObject* parent)
@@ -45,6 +47,24 @@ void JobSlot::cancel() {
     });
   }
   if (isRunning_) thread_.request_stop();
+}
+
+void JobSlot::handOver(std::function<void()> act) {
+  {
+    const std::scoped_lock lock(posting_);
+    posted_.push_back(std::move(act));
+  }
+  QMetaObject::invokeMethod(this, &JobSlot::runNextPosted, Qt::QueuedConnection);
+}
+
+void JobSlot::runNextPosted() {
+  std::function<void()> act;
+  {
+    const std::scoped_lock lock(posting_);
+    act = std::move(posted_.front());
+    posted_.pop_front();
+  }
+  act(); // it may destroy this
 }
 
 void JobSlot::end() {

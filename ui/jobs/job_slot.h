@@ -5,13 +5,14 @@
 #include "ui/jobs/job_queue.h"
 #include "ui/jobs/yield_to_window.h"
 
-#include <QMetaObject>
 #include <QObject>
 #include <QString>
 
+#include <deque>
 #include <exception>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -77,10 +78,14 @@ private:
   void end();
   void finishIfIdle();
 
-  /// Runs `act` on the GUI thread, after what was posted before.
+  /// Runs `act` on the GUI thread, after what was posted before. There it is destroyed, too: a call
+  /// in Qt's queue may be destroyed by the thread that posted it.
   template <class Act> void post(Act act) {
-    QMetaObject::invokeMethod(this, std::move(act), Qt::QueuedConnection);
+    auto kept = std::make_shared<Act>(std::move(act)); // it may hold what cannot be copied
+    handOver([kept = std::move(kept)] { (*kept)(); });
   }
+  void handOver(std::function<void()> act);
+  void runNextPosted();
   template <class Work, class Done> void run(const std::stop_token& stop, Work& work, Done& done);
 
   JobQueue& queue_;
@@ -91,6 +96,8 @@ private:
   QString name_;
   std::function<void()> next_; // begins the job that waits; none: nothing waits
   std::function<void()> afterwards_;
+  std::mutex posting_;
+  std::deque<std::function<void()>> posted_; // guarded by posting_
   std::jthread thread_;
 };
 
@@ -115,11 +122,10 @@ void JobSlot::run(const std::stop_token& stop, Work& work, Done& done) {
       if (!stop.stop_requested()) emit progressed(fraction, text);
     });
   });
+  auto kept = std::make_shared<Done>(std::move(done)); // until the end is posted
   try {
-    using Result = decltype(work(progress));
-    auto result = std::make_shared<Result>(work(progress)); // shared: events are copied
-    post([stop, done = std::move(done), result = std::move(result)]() mutable {
-      if (!stop.stop_requested()) done(std::move(*result));
+    post([stop, kept, result = work(progress)]() mutable {
+      if (!stop.stop_requested()) (*kept)(std::move(result));
     });
   } catch (const Cancelled&) { // nothing to report: whoever canceled knows
   } catch (const std::exception& error) {
@@ -127,7 +133,7 @@ void JobSlot::run(const std::stop_token& stop, Work& work, Done& done) {
       if (!stop.stop_requested()) emit failed(text);
     });
   }
-  post([this] { end(); });
+  post([this, kept = std::move(kept)] { end(); });
 }
 
 } // namespace espalier

@@ -129,6 +129,22 @@ TEST_F(JobSlotTest, DropsAResultThatIsMadeAlreadyWhenCanceled) {
   EXPECT_THAT(events, testing::ElementsAre("started", "finished"));
 }
 
+TEST_F(JobSlotTest, DestroysOnTheGuiThreadWhatWasToBeDone) {
+  struct Owner {
+    QThread*& endedOn;
+    ~Owner() { endedOn = QThread::currentThread(); }
+  };
+  for (const bool isCanceled : {false, true}) {
+    QThread* endedOn = nullptr;
+    slot.start(
+        "Wait", [=](const Progress& progress) { return isCanceled ? untilStopped(progress) : 1; },
+        [owner = std::unique_ptr<Owner>(new Owner{endedOn})](int) {});
+    if (isCanceled) slot.cancel();
+    waitFor(slot);
+    EXPECT_EQ(endedOn, slot.thread()) << (isCanceled ? "canceled" : "done");
+  }
+}
+
 TEST_F(JobSlotTest, ReportsTheProgressAndItsStage) {
   QSignalSpy progress(&slot, &JobSlot::progressed);
   slot.start(

@@ -17,6 +17,12 @@ namespace {
 
 using TouchPhase = ToolInput::Phase;
 
+/// Qt lists it until the program ends: one for all tests.
+QPointingDevice* touchScreen() {
+  static QPointingDevice* const screen = QTest::createTouchDevice();
+  return screen;
+}
+
 class TouchTest : public testing::Test {
 protected:
   TouchTest() : plant_(test::stick(5)) {
@@ -42,7 +48,7 @@ protected:
     return view_.project(plant_[id].position).value();
   }
 
-  QPointingDevice* screen_ = QTest::createTouchDevice();
+  QPointingDevice* screen_ = touchScreen();
   Skeleton plant_;
   PlantView view_;
   std::vector<ToolInput> inputs_;

@@ -4405,10 +4405,6 @@
 <context>
     <name>espalier::EnvelopeFlow</name>
     <message>
-        <source>Evaluation</source>
-        <translation>Évaluation</translation>
-    </message>
-    <message>
         <source>Export Envelope…</source>
         <translation>Exporter l’enveloppe…</translation>
     </message>
@@ -4539,6 +4535,10 @@
     <message>
         <source>Choose a shape: it is drawn about the plant, and measured. From height leaves out a bare stem.</source>
         <translation>Choisissez une forme&#xa0;: elle est tracée autour de la plante et mesurée. «&#xa0;À partir de la hauteur&#xa0;» laisse de côté une tige nue.</translation>
+    </message>
+    <message>
+        <source>Evaluate</source>
+        <translation>Évaluer</translation>
     </message>
 </context>
 <context>
@@ -4766,8 +4766,8 @@
         <translation>Évaluation</translation>
     </message>
     <message>
-        <source>Shows or hides how the plant agrees with its reference</source>
-        <translation>Affiche ou masque l’accord de la plante avec sa référence</translation>
+        <source>Shows or hides the traits and scores of the plant</source>
+        <translation>Affiche ou masque les traits et les scores de la plante</translation>
     </message>
     <message>
         <source>E&amp;dit Distance</source>

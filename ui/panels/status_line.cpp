@@ -1,6 +1,7 @@
 #include "ui/panels/status_line.h"
 
 #include "ui/document/shown_text.h"
+#include "ui/panels/elided_label.h"
 #include "ui/panels/time_left.h"
 
 #include <QHBoxLayout>
@@ -11,11 +12,10 @@
 namespace espalier {
 
 StatusLine::StatusLine(QWidget* parent)
-    : QWidget(parent), text_(new QLabel(this)), job_(new QWidget(this)), jobName_(new QLabel(job_)),
-      bar_(new QProgressBar(job_)), timeLeft_(new QLabel(job_)), counts_(new QLabel(this)) {
+    : QWidget(parent), text_(new ElidedLabel(this)), job_(new QWidget(this)),
+      jobName_(new QLabel(job_)), bar_(new QProgressBar(job_)), timeLeft_(new QLabel(job_)),
+      counts_(new QLabel(this)) {
   setObjectName("status_line");
-  text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // makes room for the job
-  text_->setTextFormat(Qt::PlainText);
   text_->setObjectName("hint");
   counts_->setObjectName("counts");
   bar_->setRange(0, 1000);

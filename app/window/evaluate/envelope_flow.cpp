@@ -107,7 +107,7 @@ std::pair<EnvelopeChoice, HandlePlaces> stateIn(const std::string& text) {
 
 EnvelopeFlow::EnvelopeFlow(const Parts& parts) : parts_(parts) {
   ActionSet& actions = parts_.window.actions;
-  actions.beginSection(tr("Evaluation"));
+  actions.beginSection(tr("Evaluate"));
   actions.add({.id = "write_envelope",
                .text = tr("Export Envelope…"),
                .help = tr("Writes the surface about the crown as a mesh, PLY or OBJ")},

@@ -96,16 +96,15 @@ void EvaluationFlow::makePanel() {
                                                  .edits = editsMenu_.get()});
   panel_->setLaid(isLaid_);
   panel_->setTurns(turns_);
-  dock_ =
-      addDock(new PanelDock(parts_.window,
-                            {.id = "evaluation",
-                             .title = tr("Evaluation"),
-                             .text = tr("Evaluation"),
-                             .help = tr("Shows or hides how the plant agrees with its reference"),
-                             .keys = Qt::Key_F5,
-                             .menu = "panels/evaluation",
-                             .manual = "compare.md"},
-                            {.size = 260}, panel_, this)); // some rows of errors
+  dock_ = addDock(new PanelDock(parts_.window,
+                                {.id = "evaluation",
+                                 .title = tr("Evaluation"),
+                                 .text = tr("Evaluation"),
+                                 .help = tr("Shows or hides the traits and scores of the plant"),
+                                 .keys = Qt::Key_F5,
+                                 .menu = "panels/evaluation",
+                                 .manual = "compare.md"},
+                                {.size = 260}, panel_, this)); // some rows of errors
 }
 
 void EvaluationFlow::fillMenu(QMenu& menu) const {

@@ -44,8 +44,10 @@ void useLanguage(const QSettings& settings) {
     install("qtbase_" + language, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     install("espalier_" + language, QStringLiteral(":/translations"));
   }
-  // Months by their names in the language of the window, whatever the system writes.
-  if (const QLocale own(language); own.language() != system.language()) QLocale::setDefault(own);
+  // Months by their names in the language of the window, whatever the system writes: dates may have
+  // a language of their own there (LC_TIME).
+  if (const QLocale own(language); own.monthName(1) != system.monthName(1))
+    QLocale::setDefault(own);
 }
 
 } // namespace espalier

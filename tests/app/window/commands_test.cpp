@@ -90,13 +90,8 @@ TEST_F(MainWindowTest, FindsACommandByWhatItDoes) {
                               patience));
 }
 
-TEST_F(MainWindowTest, FindsUndoByItsOwnNameAndNotByWhatItUndoes) {
-  open({writeFork("fork.mtg")});
-  document().edit("Set radius", [&](SkeletonEditor& editor) {
-    editor.setRadius(editor.skeleton().roots().front(), 0.2);
-  });
-  ASSERT_EQ(action("undo").text(), "&Undo: Set radius");
-  const auto listed = [this](const char* typed) {
+struct PaletteWindowTest : MainWindowTest {
+  QStringList listed(const char* typed) {
     action("palette").trigger();
     auto& palette = find<QDialog>("command_palette");
     QTest::keyClicks(palette.findChild<QLineEdit*>(), typed);
@@ -107,9 +102,23 @@ TEST_F(MainWindowTest, FindsUndoByItsOwnNameAndNotByWhatItUndoes) {
     palette.close();
     QTest::qWait(1); // until it is gone
     return texts;
-  };
+  }
+};
+
+TEST_F(PaletteWindowTest, FindsUndoByItsOwnNameAndNotByWhatItUndoes) {
+  open({writeFork("fork.mtg")});
+  document().edit("Set radius", [&](SkeletonEditor& editor) {
+    editor.setRadius(editor.skeleton().roots().front(), 0.2);
+  });
+  ASSERT_EQ(action("undo").text(), "&Undo: Set radius");
   EXPECT_FALSE(listed("radius").contains("Edit: Undo"));
   EXPECT_EQ(listed("undo").value(0), "Edit: Undo");
+}
+
+TEST_F(PaletteWindowTest, FindsAPanelByWhatItShows) {
+  open({writeFork("fork.mtg")});
+  EXPECT_TRUE(listed("traits").contains("Evaluate: Evaluation"));
+  EXPECT_TRUE(listed("scores").contains("Evaluate: Evaluation"));
 }
 
 TEST_F(MainWindowTest, ShowsItsShortcuts) {

@@ -1,5 +1,6 @@
 #include "ui/panels/elided_label.h"
 
+#include <QEvent>
 #include <QPainter>
 #include <QStyle>
 
@@ -12,6 +13,12 @@ ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
 
 QSize ElidedLabel::minimumSizeHint() const {
   return {0, QLabel::minimumSizeHint().height()};
+}
+
+bool ElidedLabel::event(QEvent* event) {
+  const bool isWhole = fontMetrics().horizontalAdvance(text()) <= contentsRect().width();
+  if (event->type() == QEvent::ToolTip && isWhole && toolTip() == text()) return true;
+  return QLabel::event(event);
 }
 
 void ElidedLabel::paintEvent(QPaintEvent* /*event*/) {

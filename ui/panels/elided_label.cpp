@@ -16,8 +16,9 @@ QSize ElidedLabel::minimumSizeHint() const {
 }
 
 bool ElidedLabel::event(QEvent* event) {
-  const bool isWhole = fontMetrics().horizontalAdvance(text()) <= contentsRect().width();
-  if (event->type() == QEvent::ToolTip && isWhole && toolTip() == text()) return true;
+  if (event->type() == QEvent::ToolTip && toolTip() == text() &&
+      fontMetrics().horizontalAdvance(text()) <= contentsRect().width())
+    return true;
   return QLabel::event(event);
 }
 

@@ -80,8 +80,8 @@ Worklist worklistOfFolder(const fs::path& folder) {
     if (isListed) list.lines.push_back({.file = file, .problem = problemOfName(file)});
   }
   if (list.lines.empty())
-    throw ShownError({Shown::tr("holds no project and no scan: choose another folder, or name the "
-                                "files in a table"),
+    throw ShownError({Shown::tr("holds no project and no scan itself: choose the folder that they "
+                                "lie in, or name them in a table"),
                       {},
                       FilePlace{folder.string()}});
   return list;
@@ -101,6 +101,12 @@ std::string shortened(const std::string& text) {
   return text.substr(0, end) + "…";
 }
 
+/// The column that names the plants, `scan` in tables of batches; none: the table has none.
+std::optional<std::size_t> columnOfFiles(const CsvTable& table) {
+  const std::optional<std::size_t> column = table.column("file");
+  return column ? column : table.column("scan");
+}
+
 /// @param names  of files so far; that of this line is added
 WorklistLine lineOf(const CsvTable& table, const CsvTable::Row& row, const fs::path& file,
                     std::set<fs::path>& names) {
@@ -108,14 +114,15 @@ WorklistLine lineOf(const CsvTable& table, const CsvTable::Row& row, const fs::p
     const std::optional<std::size_t> column = table.column(name);
     return column ? row.fields[*column] : std::string();
   };
-  WorklistLine line{.annotator = shortened(field("annotator")),
+  const std::string name = row.fields[*columnOfFiles(table)];
+  WorklistLine line{.named = shortened(name),
+                    .annotator = shortened(field("annotator")),
                     .second = shortened(field("second annotator"))};
   const auto fail = [&](const char* sentence, std::vector<std::string> values = {}) {
     line.problem =
         ShownMessage{sentence, std::move(values), FilePlace{file.filename().string(), row.line}};
     return line;
   };
-  const std::string name = field("file");
   if (name.empty()) return fail(Shown::tr("no file is named: write a project or a scan"));
   for (const char* column : {"annotator", "second annotator"})
     if (field(column).size() > mostBytes)
@@ -139,16 +146,16 @@ WorklistLine lineOf(const CsvTable& table, const CsvTable::Row& row, const fs::p
 
 Worklist worklistOfTable(const fs::path& file) {
   const CsvTable table = readCsv(readText(file), file.string());
-  if (!table.column("file"))
-    throw ShownError({Shown::tr("there is no column file: name the columns in the first line, as "
-                                "file,annotator,second annotator"),
-                      {},
+  const std::optional<std::size_t> files = columnOfFiles(table);
+  if (!files)
+    throw ShownError({Shown::tr("there is no column %1: name the columns in the first line, as %2"),
+                      {inQuotes("file"), inQuotes("file,annotator,second annotator")},
                       FilePlace{file.string(), 1}});
   Worklist list{.place = file, .isTable = true};
   std::vector<std::size_t> others;
   for (std::size_t i = 0; i < table.names.size(); ++i) {
     const auto isKnown = [&](std::string_view name) { return table.column(name) == i; };
-    if (isKnown("file") || isKnown("annotator") || isKnown("second annotator")) continue;
+    if (i == *files || isKnown("annotator") || isKnown("second annotator")) continue;
     others.push_back(i);
     list.others.push_back(shortened(table.names[i]));
   }
@@ -289,7 +296,8 @@ void addSecond(WorklistRow& row, const ProjectsByScan& projects) {
 }
 
 WorklistRow rowOf(const WorklistLine& line, bool isTable, const ProjectsByScan& projects) {
-  WorklistRow row{.annotator = line.annotator,
+  WorklistRow row{.named = line.named,
+                  .annotator = line.annotator,
                   .second = line.second,
                   .others = line.others,
                   .problem = line.problem};

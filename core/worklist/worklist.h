@@ -16,6 +16,7 @@ namespace espalier {
 /// A plant as a worklist names it.
 struct WorklistLine {
   std::filesystem::path file; // a project or a scan, absolute; empty where the line has a problem
+  std::string named = {};     // as a table names it, its beginning; of a folder empty
   std::string annotator = {}; // as a table has it; empty: not named
   std::string second = {};    // likewise, who annotates the plant beside
   std::vector<std::string> others = {};     // what a table has in its further columns
@@ -33,8 +34,9 @@ struct Worklist {
 };
 
 /// Reads which plants there are: the projects and scans of a folder, without those below it, or a
-/// CSV table with a column `file`, and those named `annotator` and `second annotator` if it has
-/// them. No project or scan is opened; a folder is asked for the beginning of its files.
+/// CSV table with a column `file`, or `scan` as batches have it, and those named `annotator` and
+/// `second annotator` if it has them. No project or scan is opened; a folder is asked for the
+/// beginning of its files.
 ///
 /// In a folder, texts named .txt and .csv are left out, which mostly are no scans. Files of a table
 /// are sought from its folder. A link stands for the file it leads to. A line has a problem if it
@@ -42,7 +44,8 @@ struct Worklist {
 /// before, one whose name is no UTF-8, or an annotator by over 200 bytes; of what is longer in a
 /// further column, the beginning is kept.
 ///
-/// @throws Error if the place cannot be read, a table has no column `file`, or no plant is found
+/// @throws Error if the place cannot be read, a table has neither of these columns, or no plant is
+/// found
 [[nodiscard]] Worklist readWorklist(const std::filesystem::path& place);
 
 /// What is known of a project or scan.
@@ -57,6 +60,7 @@ using KnownWorks = std::map<std::filesystem::path, KnownWork>; // by the path of
 struct WorklistRow {
   std::filesystem::path project = {}; // empty: none is known
   std::filesystem::path scan = {};    // empty: none is known, or it is no file of its own
+  std::string named = {};             // as in its line
   std::string annotator = {};
   std::string second = {};
   std::filesystem::path secondProject = {}; // of the second annotator; empty: none

@@ -38,13 +38,19 @@ QString cellOf(const std::string& text) {
   return line.size() > most ? line.left(most) + QStringLiteral("…") : line;
 }
 
-/// What is wrong with a file, in a row that says which file: without its name.
-QString problemText(const ShownMessage& problem, const std::filesystem::path& file) {
+/// What is wrong with a file or a line, in a row that says which: without its name.
+QString problemText(const WorklistRow& row) {
+  ShownMessage problem = *row.problem;
+  const bool isLine = row.file().empty() && !row.named.empty(); // the row has what that names
+  if (isLine) problem.where.reset();
   QString text = cellOf(shownText(problem).toStdString());
-  const QString name = textOfPath(file.filename());
-  if (name.isEmpty() || !text.startsWith(name)) return text; // it begins with another
+  const QString name = textOfPath(row.file().filename());
+  const bool isNamed = !name.isEmpty() && text.startsWith(name);
+  if (!isLine && !isNamed) return text; // it begins with another
   const auto isBetween = [](QChar sign) { return sign.isSpace() || sign == ':'; };
-  text.erase(text.cbegin(), std::find_if_not(text.cbegin() + name.size(), text.cend(), isBetween));
+  if (isNamed)
+    text.erase(text.cbegin(),
+               std::find_if_not(text.cbegin() + name.size(), text.cend(), isBetween));
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;
 }
@@ -88,7 +94,7 @@ QStringList namesOf(const std::vector<ListedPlant>& plants) {
   for (std::size_t i = 0; i < plants.size(); ++i) {
     const std::filesystem::path name = plants[i].row.file().filename();
     byName[name].push_back(i);
-    names.append(cellOf(name.string()));
+    names.append(cellOf(name.empty() ? plants[i].row.named : name.string()));
   }
   for (const auto& [name, same] : byName) {
     if (same.size() == 1 || name.empty()) continue;
@@ -143,7 +149,9 @@ QVariant alignmentOf(int column) {
 QString wholeText(const ListedPlant& plant) {
   const WorklistRow& row = plant.row;
   QStringList lines = {QString::fromStdString(printable(row.file().string()))};
-  if (row.problem) lines.append(stateText(row));
+  if (row.problem)
+    lines.append(row.file().empty() ? cellOf(shownText(*row.problem).toStdString())
+                                    : stateText(row)); // of a line, which one it is
   if (row.state && row.state->seal)
     lines.append((plant.isFinished() ? WorklistText::tr("Signed by %1")
                                      : WorklistText::tr("Edited since it was signed by %1"))
@@ -163,7 +171,7 @@ QString wholeText(const ListedPlant& plant) {
 } // namespace
 
 QString stateText(const WorklistRow& row) {
-  if (row.problem) return problemText(*row.problem, row.file());
+  if (row.problem) return problemText(row);
   if (!row.isRead) return WorklistText::tr("Reading…");
   switch (row.stage()) {
   case WorkStage::toDo:
@@ -248,7 +256,8 @@ QVariant WorklistModel::headerData(int section, Qt::Orientation orientation, int
   case stateColumn:
     return tr("State");
   case findingsColumn:
-    return isTip ? tr("Findings that were open when the plant was signed, or last checked")
+    return isTip ? tr("Findings of the checks, without doubts, that were open when the plant was "
+                      "signed, or last checked")
                  : tr("Findings");
   case minutesColumn:
     return isTip ? tr("Minutes at work by hand; pauses of over 5 minutes do not count")

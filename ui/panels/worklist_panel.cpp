@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace espalier {
 namespace {
@@ -132,8 +133,11 @@ void WorklistPanel::makeList() {
 }
 
 void WorklistPanel::show(const QString& place, const QString& problem,
-                         std::vector<ListedPlant> plants, const QStringList& others) {
+                         std::vector<ListedPlant> plants, const QStringList& others,
+                         bool areInOrder) {
   const QVariant current = list_->currentIndex().siblingAtColumn(0).data();
+  if (std::exchange(areInOrder_, areInOrder) != areInOrder)
+    list_->sortByColumn(areInOrder ? -1 : int{WorklistModel::plantColumn}, Qt::AscendingOrder);
   place_ = place;
   problem_ = problem;
   model_->show(std::move(plants), others);

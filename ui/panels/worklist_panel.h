@@ -28,8 +28,9 @@ public:
 
   /// @param place    of the list, for people; empty: there is none
   /// @param problem  why it cannot be read; empty: it can
+  /// @param areInOrder  as they stand in a table; else they are sorted by their names
   void show(const QString& place, const QString& problem, std::vector<ListedPlant> plants,
-            const QStringList& others);
+            const QStringList& others, bool areInOrder = false);
   void setOpen(const QString& file); // the plant that is open; empty: none of them
 
   /// The plants behind that file, in the order and of those that are shown, that are not signed and
@@ -49,6 +50,7 @@ private:
 
   WorklistModel* model_;
   QSortFilterProxyModel* shown_;
+  bool areInOrder_ = false; // until a column is chosen to sort by
   QLabel* title_;
   QLabel* note_;
   QComboBox* filter_;

@@ -346,7 +346,7 @@ void WorklistFlow::show() {
   for (const std::string& name : list_.others)
     others.append(QString::fromStdString(name));
   panel_->show(place_.isEmpty() ? QString() : QFileInfo(place_).fileName(), problem_,
-               std::move(plants), others);
+               std::move(plants), others, list_.isTable);
   panel_->setOpen(openFile());
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/window/review/sealed_facts.h"
 #include "core/evaluate/match/comparable.h"
+#include "core/io/formats.h"
 #include "core/io/glance.h"
 #include "core/project/content_hash.h"
 #include "ui/document/shown_message.h"
@@ -49,6 +50,19 @@ QString nameOfPicture(const fs::path& file, const FileStamp& stamp) {
                            std::to_string(stamp.waitingTime) + " " +
                            std::to_string(stamp.waitingSize);
   return beginningOfName(file) + hexOf(contentHash(text)) + ".png";
+}
+
+/// Some of its points: those that a glance has seen, else of a file that is read quickly.
+std::vector<Eigen::Vector3d> someOf(const fs::path& scan, const PointGlance& glance) {
+  constexpr std::uintmax_t quick = std::uintmax_t{32} << 20; // bytes
+  constexpr std::uint64_t some = 1 << 14;
+  std::error_code isMissing;
+  if (!glance.sample.empty() || fs::file_size(scan, isMissing) > quick) return glance.sample;
+  const PointCloud cloud = readPoints(scan, {.most = some}).value;
+  std::vector<Eigen::Vector3d> places;
+  for (Eigen::Index i = 0; i < cloud.size(); ++i)
+    places.push_back(cloud.position(i));
+  return places;
 }
 
 UpAxis upOfGlance(const PointGlance& glance) {
@@ -111,7 +125,7 @@ ReadPlant readScanOf(const fs::path& scan, const FileStamp& stamp, const Picture
   if (!plant.picture.isNull()) return plant;
   try {
     const PointGlance glance = glanceAt(scan);
-    plant.picture = pictureOf(glance.sample, upOfGlance(glance), pictureSize);
+    plant.picture = pictureOf(someOf(scan, glance), upOfGlance(glance), pictureSize);
     pictures.keep(scan, stamp, plant.picture);
   } catch (const std::exception& error) {
     plant.work.problem = messageOf(error);

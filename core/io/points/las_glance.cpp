@@ -3,6 +3,7 @@
 #include "core/io/bytes/scalar.h"
 #include "core/io/points/las_header.h"
 #include "core/io/points/point_glances.h"
+#include "core/io/points/point_samples.h"
 
 #include <algorithm>
 
@@ -80,6 +81,16 @@ std::vector<GlanceColumn> columnsOfLas(const LasHeader& header) {
   return columns;
 }
 
+void sampleLas(ByteSource& source, const LasHeader& header, PointGlance& glance) {
+  sampleRecords(source, header.pointStart, header.pointLength, header.count,
+                [&](const char* point) {
+                  const Eigen::Vector3d steps(valueAt<std::int32_t>(point),
+                                              valueAt<std::int32_t>(point + 4),
+                                              valueAt<std::int32_t>(point + 8));
+                  glance.sample.emplace_back(header.offset + header.scale.cwiseProduct(steps));
+                });
+}
+
 } // namespace
 
 PointGlance glanceAtLas(ByteSource& source, const std::string& file) {
@@ -97,6 +108,7 @@ PointGlance glanceAtLas(ByteSource& source, const std::string& file) {
   glance.columns = columnsOfLas(header);
   if (header.count > 0) glance.bounds = boundsOfLas(head);
   glance.unit = unitOfLas(head, header);
+  if (!glance.isCompressed) sampleLas(source, header, glance);
   glance.up = {"z", {Shown::tr("LAS has heights along z")}, true};
   return glance;
 }

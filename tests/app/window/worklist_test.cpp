@@ -399,7 +399,7 @@ TEST_F(WorklistWindowTest, ReadsATableWithFurtherColumns) {
   EXPECT_EQ(cell(row, WorklistModel::columns), "7");
   EXPECT_EQ(cell(row, WorklistModel::annotatorColumn), "Zoe");
   EXPECT_TRUE(cell(1 - row, WorklistModel::stateColumn)
-                  .startsWith("list.csv, line 3: there is no file 'plants/missing.espalier'"))
+                  .startsWith("There is no file 'plants/missing.espalier'"))
       << cell(1 - row, WorklistModel::stateColumn).toStdString();
 }
 

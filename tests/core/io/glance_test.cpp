@@ -77,6 +77,15 @@ TEST(GlanceAt, TellsStationsAndWhatIsLeftOut) {
   EXPECT_FALSE(takes(glanceAt(glanceFile("a.las", test::lasFile({.format = 1}))), "gps_time"));
 }
 
+TEST(GlanceAt, SeesSomePointsOfLas) {
+  const fs::path path = glanceFile("a.las", test::lasFile({.format = 1}));
+  const PointGlance glance = glanceAt(path);
+  const PointCloud cloud = readPoints(path).value;
+  ASSERT_EQ(glance.sample.size(), static_cast<std::size_t>(cloud.size()));
+  for (Eigen::Index i = 0; i < cloud.size(); ++i)
+    EXPECT_LT((glance.sample[static_cast<std::size_t>(i)] - cloud.position(i)).norm(), 1e-3);
+}
+
 TEST(GlanceAt, GuessesUnitAndAxisWithAReason) {
   std::string text;
   for (int i = 0; i < 2000; ++i) // a stem along y, 3 m high, and a crown as a disk on it

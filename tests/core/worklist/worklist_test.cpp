@@ -260,6 +260,7 @@ TEST_F(WorklistTest, ALineThatCannotBeUsedSaysWhyAndTheRestGoesOn) {
   EXPECT_EQ(inEnglish(found[0].problem.value()),
             "list.csv, line 2: there is no file 'missing.las': correct its "
             "name, or take the line out");
+  EXPECT_EQ(found[0].named, "missing.las");
   EXPECT_EQ(inEnglish(found[1].problem.value()),
             "list.csv, line 3: no file is named: write a project or a scan");
   EXPECT_EQ(inEnglish(found[2].problem.value()),
@@ -271,6 +272,14 @@ TEST_F(WorklistTest, ALineThatCannotBeUsedSaysWhyAndTheRestGoesOn) {
             "list.csv, line 6: 'a.xyz' came before: take the line out");
 }
 
+TEST_F(WorklistTest, TakesTheTableOfABatch) {
+  scan("a.xyz");
+  const std::vector<WorklistRow> found = rows(write("list.csv", "scan,unit\na.xyz,mm\n"));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].file().filename(), "a.xyz");
+  EXPECT_EQ(found[0].others, std::vector<std::string>{"mm"});
+}
+
 TEST_F(WorklistTest, RefusesAPlaceWithoutAPlant) {
   const auto refusal = [](const fs::path& place) -> std::string {
     try {
@@ -280,8 +289,10 @@ TEST_F(WorklistTest, RefusesAPlaceWithoutAPlant) {
     }
     return {};
   };
-  EXPECT_THAT(refusal(folder), HasSubstr("holds no project and no scan"));
-  EXPECT_THAT(refusal(write("a.csv", "scan\na.xyz\n")), HasSubstr("there is no column file"));
+  EXPECT_THAT(refusal(folder), HasSubstr("holds no project and no scan itself"));
+  EXPECT_THAT(refusal(write("a.csv", "plant\na.xyz\n")),
+              HasSubstr("there is no column 'file': name the columns in the first line, as "
+                        "'file,annotator,second annotator'"));
   EXPECT_THAT(refusal(write("b.csv", "file\n")), HasSubstr("no plant is listed"));
   EXPECT_THAT(refusal(folder / "nowhere.csv"), HasSubstr("nowhere.csv"));
 }

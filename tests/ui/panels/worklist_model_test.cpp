@@ -38,6 +38,18 @@ TEST(WorklistModel, SaysHowFarEachPlantIs) {
   EXPECT_EQ(stages, "tarsup");
 }
 
+TEST(WorklistModel, SaysWhatIsWrongWithALineThatNamesNoFile) {
+  WorklistModel model;
+  ListedPlant missing;
+  missing.row.named = "wood/oak.las";
+  missing.row.problem =
+      ShownMessage{"there is no file %1: correct it", {"'wood/oak.las'"}, FilePlace{"list.csv", 3}};
+  model.show({missing}, {});
+  EXPECT_EQ(cell(model, WorklistModel::plantColumn), "wood/oak.las");
+  EXPECT_EQ(cell(model, WorklistModel::stateColumn), "There is no file 'wood/oak.las': correct it");
+  EXPECT_TRUE(model.index(0, 0).data(Qt::ToolTipRole).toString().contains("list.csv, line 3"));
+}
+
 TEST(WorklistModel, CountsWholeMinutesAsASealAndShowsWhatIsNotKnownAsADash) {
   WorklistModel model;
   const auto minutes = [&](std::int64_t milliseconds) {

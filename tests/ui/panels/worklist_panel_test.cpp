@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QLabel>
+#include <QTableView>
 #include <gtest/gtest.h>
 
 namespace espalier {
@@ -42,6 +43,20 @@ TEST_F(WorklistPanelTest, PassesOverPlantsThatAreStillRead) {
   EXPECT_TRUE(panel.isReading());
   panel.show("plants", {}, {plant("a.espalier", WorkStage::inReview)}, {});
   EXPECT_FALSE(panel.isReading());
+}
+
+TEST_F(WorklistPanelTest, KeepsTheOrderOfATable) {
+  const auto plants = [] {
+    return std::vector{plant("b.espalier", WorkStage::toDo), plant("a.espalier", WorkStage::toDo),
+                       plant("c.espalier", WorkStage::toDo)};
+  };
+  panel.show("list.csv", {}, plants(), {}, true);
+  EXPECT_EQ(following("none.espalier"), "bac");
+  panel.findChild<QTableView*>("worklist")->sortByColumn(0, Qt::DescendingOrder);
+  panel.show("list.csv", {}, plants(), {}, true);
+  EXPECT_EQ(following("none.espalier"), "cba") << "chosen by its head";
+  panel.show("plants", {}, plants(), {});
+  EXPECT_EQ(following("none.espalier"), "abc");
 }
 
 TEST_F(WorklistPanelTest, SaysThatTheListIsRead) {

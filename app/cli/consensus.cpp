@@ -6,6 +6,7 @@
 #include "app/cli/plant_file.h"
 #include "app/cli/terminal.h"
 #include "core/base/counted.h"
+#include "core/base/text.h"
 #include "core/evaluate/match/comparable.h"
 #include "core/evaluate/match/tolerance_curve.h"
 #include "core/skeleton/bounds.h"
@@ -29,6 +30,12 @@ struct ConsensusFlags {
   double distance = 0; // [L]; 0: by the rule
   MtgStyle mtgStyle = MtgStyle::plantNode;
 };
+
+/// "99.9": 100 stands for all of it, but for what rounding leaves.
+std::string percentOf(double share) {
+  constexpr double rounding = 1e-6;
+  return plainDecimal(std::floor(1000 * share + rounding) / 10);
+}
 
 nlohmann::ordered_json numbersOf(const ConsensusFlags& flags, const Consensus& consensus,
                                  double tolerance) {
@@ -103,8 +110,8 @@ void writeConsensus(const ConsensusFlags& flags) {
   terminal.clear();
   requireShares(flags.plants, consensus);
   for (std::size_t i = 0; i < flags.plants.size(); ++i)
-    printLine(flags.plants[i] + ": agreed on " +
-              std::to_string(std::lround(100 * consensus.shares[i])) + " % of its length");
+    printLine(flags.plants[i] + ": agreed on " + percentOf(consensus.shares[i]) +
+              " % of its length");
   printLine(counted(consensus.places.size(), "place") + " to decide; " +
             counted(consensus.agreed.roots().size(), "tree"));
   const Structure agreed{.skeleton = consensus.agreed};

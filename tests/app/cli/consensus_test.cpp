@@ -46,6 +46,22 @@ TEST_F(ConsensusCommand, WritesWhatAStructureAndAProjectAgreeOn) {
   EXPECT_GT(json["plants"][1]["agreed"], json["plants"][0]["agreed"]);
 }
 
+// A shoot of a thousandth of the plant is one place all the same.
+TEST_F(ConsensusCommand, SaysHundredPercentOnlyOfAll) {
+  Skeleton plant = test::fork(3);
+  const NodeId tip = plant.ids().back();
+  plant.add({.position = plant[tip].position + Eigen::Vector3d(0.5, 0, 0), .parent = tip});
+  Skeleton shorter = plant;
+  plant.add({.position = plant[tip].position + Eigen::Vector3d(0, 0.015, 0), .parent = tip});
+  writeStructure(file("whole.mtg"), plant);
+  writeStructure(file("shorter.mtg"), shorter);
+  const Outcome outcome = runProgram({"consensus", file("whole.mtg"), file("shorter.mtg"), "-o",
+                                      file("out.mtg"), "--distance", "0.001"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("whole.mtg: agreed on 99."));
+  EXPECT_THAT(outcome.err, HasSubstr("shorter.mtg: agreed on 100 %"));
+}
+
 TEST_F(ConsensusCommand, RefusesOnePlantAndPlantsApart) {
   EXPECT_EQ(runProgram({"consensus", three_, "-o", file("out.mtg")}).status, 2);
   Skeleton away = test::fork(3);

@@ -10,6 +10,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace espalier {
 
 SignDialog::SignDialog(const Seal& draft, LengthUnit unit, const QString& signer, QWidget* parent)
@@ -72,6 +74,8 @@ SignDialog::SignDialog(const Seal& draft, LengthUnit unit, const QString& signer
   setTabOrder(reason_, signer_);
   (isOpen ? reason_ : signer_)->setFocus();
   refresh();
+  const int wide = std::max(minimumWidth(), sizeHint().width());
+  resize(wide, column->totalHeightForWidth(wide)); // the hint of lines that wrap is of other widths
 }
 
 QString SignDialog::signer() const {

@@ -5,7 +5,9 @@
 #include "tests/app/report/reported_plants.h"
 #include "tests/app/report/whole_seal.h"
 #include "tests/app/window/project_fixture.h"
+#include "ui/dialogs/sign_dialog.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDialog>
 #include <QFile>
@@ -62,6 +64,17 @@ struct SealWindowTest : test::ProjectWindowTest {
   [[nodiscard]] bool isIntact() { return seal().startsWith("✓ Signed by Anna on "); }
   [[nodiscard]] bool isBroken() { return seal().startsWith("✗ Seal broken"); }
 };
+
+TEST_F(SealWindowTest, TheDialogHasRoomForAllItsLines) {
+  SignDialog dialog(test::wholeSeal(), LengthUnit::meter, "Anna", &window());
+  dialog.show();
+  QApplication::processEvents();
+  for (const QLabel* label : dialog.findChildren<QLabel*>()) {
+    if (!label->wordWrap()) continue;
+    EXPECT_GE(label->height(), label->heightForWidth(label->width()))
+        << label->text().toStdString();
+  }
+}
 
 TEST_F(SealWindowTest, IsRefusedUntilAllIsReviewed) {
   open({writeFork("fork.mtg")});

@@ -16,6 +16,7 @@
 #include "ui/panels/message_banner.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_line.h"
+#include "ui/panels/tour_hint.h"
 #include "ui/panels/vertex_page.h"
 #include "ui/view/plant_view.h"
 
@@ -148,7 +149,12 @@ void MainWindow::makeCenter() {
   // The banner lies over the view, which keeps its size.
   banner_ = new MessageBanner(center_);
   banner_->setCover([this](const QRect& part) {
-    int covered = 0;
+    int covered = start_->covered(part.translated(-start_->pos()));
+    if (const auto* hint = findChild<TourHint*>(); hint != nullptr && hint->isVisible()) {
+      const QRect hidden(center_->mapFromGlobal(hint->mapToGlobal(QPoint())), hint->size());
+      const QRect shared = part & hidden;
+      covered += shared.width() * shared.height();
+    }
     for (const PlantView* view :
          views_->findChildren<PlantView*>(QString(), Qt::FindDirectChildrenOnly))
       if (view->isVisible())

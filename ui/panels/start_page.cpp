@@ -10,8 +10,8 @@
 namespace espalier {
 namespace {
 
-QLabel* startLabel(const QString& text, const char* role, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
+QLabel* startLabel(const QString& text, const char* role) {
+  auto* label = new QLabel(text);
   label->setProperty("role", role);
   label->setAlignment(Qt::AlignCenter);
   return label;
@@ -27,17 +27,22 @@ QString folderOf(const QString& path) {
 } // namespace
 
 StartPage::StartPage(QWidget* parent)
-    : QWidget(parent), icon_(new QLabel(this)), recent_(new QWidget(this)),
-      files_(new QVBoxLayout(recent_)), work_(new QWidget(this)),
-      sessions_(new QVBoxLayout(work_)) {
+    : QScrollArea(parent), icon_(new QLabel), recent_(new QWidget),
+      files_(new QVBoxLayout(recent_)), work_(new QWidget), sessions_(new QVBoxLayout(work_)) {
   setObjectName("start_page");
-  setAttribute(Qt::WA_StyledBackground); // a plain widget paints no background of a style sheet
+  setFrameShape(QFrame::NoFrame);
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* page = new QWidget;
+  page->setObjectName("start_content");
+  page->setAttribute(Qt::WA_StyledBackground); // a plain widget paints none of a style sheet
+  setWidget(page);
   icon_->setAlignment(Qt::AlignCenter);
-  auto* open = new QPushButton(tr("Open…"), this);
+  auto* open = new QPushButton(tr("Open…"));
   open->setObjectName("open_button");
   open->setProperty("role", "primary");
   open->setCursor(Qt::PointingHandCursor);
-  auto* sample = new QPushButton(tr("Try a sample plant"), this);
+  auto* sample = new QPushButton(tr("Try a sample plant"));
   sample->setObjectName("sample_button");
   sample->setProperty("role", "link");
   sample->setFlat(true);
@@ -47,15 +52,15 @@ StartPage::StartPage(QWidget* parent)
     list->setSpacing(0);
   }
   work_->hide();
-  auto* column = new QVBoxLayout(this);
+  auto* column = new QVBoxLayout(page);
   column->setSpacing(8);
   column->addStretch(3);
   column->addWidget(icon_);
   column->addSpacing(8);
-  column->addWidget(startLabel(tr("Open a scan, or drop one here"), "headline", this));
+  column->addWidget(startLabel(tr("Open a scan, or drop one here"), "headline"));
   column->addWidget(startLabel(
       tr("PLY, LAS, LAZ, E57, PCD, XYZ and their kin; a skeleton as MTG opens over its scan"),
-      "quiet", this));
+      "quiet"));
   column->addSpacing(12);
   column->addWidget(open, 0, Qt::AlignCenter);
   column->addWidget(sample, 0, Qt::AlignCenter);
@@ -84,6 +89,16 @@ void StartPage::setSessions(const QStringList& texts, const QStringList& paths) 
   fill(*work_, *sessions_, tr("Not saved yet"), texts.mid(0, most), paths);
 }
 
+int StartPage::covered(const QRect& part) const {
+  int covered = 0;
+  for (const QWidget* text : widget()->findChildren<QWidget*>()) {
+    if (!text->isVisible() || text == recent_ || text == work_) continue;
+    const QRect shared = part & QRect(text->mapTo(this, QPoint()), text->size());
+    covered += shared.width() * shared.height();
+  }
+  return covered;
+}
+
 void StartPage::fill(QWidget& box, QVBoxLayout& list, const QString& title,
                      const QStringList& texts, const QStringList& paths) {
   while (QLayoutItem* item = list.takeAt(0)) {
@@ -92,7 +107,7 @@ void StartPage::fill(QWidget& box, QVBoxLayout& list, const QString& title,
   }
   box.setVisible(!texts.isEmpty());
   if (texts.isEmpty()) return;
-  list.addWidget(startLabel(title, "section", &box));
+  list.addWidget(startLabel(title, "section"));
   for (qsizetype i = 0; i < texts.size(); ++i) {
     auto* file = new QPushButton(texts[i], &box);
     file->setProperty("role", "link");

@@ -1,15 +1,16 @@
 #pragma once
 
+#include <QScrollArea>
 #include <QStringList>
-#include <QWidget>
 
 class QLabel;
 class QVBoxLayout;
 
 namespace espalier {
 
-/// What is shown while there is no plant: what to do, the button for it, and the recent files.
-class StartPage : public QWidget {
+/// What is shown while there is no plant: what to do, the button for it, and the recent files. It
+/// scrolls where there is not room for all.
+class StartPage : public QScrollArea {
   Q_OBJECT
 
 public:
@@ -19,6 +20,9 @@ public:
   void setRecentFiles(const QStringList& paths);
   /// Work to go on with, in words, and the files it is in.
   void setSessions(const QStringList& texts, const QStringList& paths);
+
+  /// How much of what is to be read here lies in a part of it: pixels, 0 while it is hidden.
+  [[nodiscard]] int covered(const QRect& part) const;
 
 signals:
   void openRequested();

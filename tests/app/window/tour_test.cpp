@@ -1,5 +1,6 @@
 // The tour of three hints.
 #include "tests/app/window/window_fixture.h"
+#include "ui/panels/message_banner.h"
 #include "ui/panels/tour_hint.h"
 
 #include <QAction>
@@ -95,6 +96,17 @@ TEST_F(TourTest, StaysOverTheViewWhereWhatItMeansIsNotShown) {
   QTest::qWait(50);
   EXPECT_TRUE(hint().isVisible());
   EXPECT_TRUE(QTest::qWaitFor(isOverView, patience));
+}
+
+TEST_F(TourTest, LeavesMessagesInSight) {
+  open({writeScan("scan.xyz")});
+  action("tour").trigger();
+  QTest::qWait(50);
+  find<MessageBanner>("message_banner").showError("no plant is here: open another");
+  const auto placeOf = [](const QWidget& widget) {
+    return QRect(widget.mapToGlobal(QPoint()), widget.size());
+  };
+  EXPECT_FALSE(placeOf(window().banner()).intersects(placeOf(hint())));
 }
 
 TEST_F(TourTest, TakesTheSamplePlantWhereNoneIsOpen) {

@@ -1,5 +1,7 @@
 #include "core/project/project_lock.h"
 
+#include "core/base/text.h"
+
 #include <array>
 #include <cerrno>
 #include <fcntl.h>
@@ -17,6 +19,19 @@ fs::path lockOf(const fs::path& project) {
   std::error_code isMissing;
   const fs::path whole = fs::weakly_canonical(project, isMissing); // one lock for all its names
   return (isMissing ? project : whole).string() + ".lock";
+}
+
+/// Why there is no lock beside a project that is to be opened or made.
+ShownMessage notWritten(const fs::path& project, int reason) {
+  std::error_code isMissing;
+  const fs::path folder = project.parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, isMissing))
+    return {espalier::Shown::tr("there is no folder %1: make it, or choose another"),
+            {inQuotes(folder.string())},
+            FilePlace{project.string()}};
+  return {espalier::Shown::tr("cannot be written: %1; open it to read only, or save it elsewhere"),
+          {std::generic_category().message(reason)},
+          FilePlace{project.string()}};
 }
 
 std::string hostName() {
@@ -50,10 +65,7 @@ bool isStill(int descriptor, const fs::path& path) {
 ProjectLock::ProjectLock(const fs::path& project) : path_(lockOf(project)) {
   while (descriptor_ < 0) {
     const int descriptor = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (descriptor < 0)
-      throw ShownError({espalier::Shown::tr("cannot be written: %1; open the project to read only"),
-                        {std::generic_category().message(errno)},
-                        FilePlace{path_.string()}});
+    if (descriptor < 0) throw ShownError(notWritten(project, errno));
     const bool isTaken = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
     if (isTaken) { // any other failure: a disk without locks, where nobody can be kept out
       const std::string holder = holderIn(descriptor);

@@ -25,6 +25,12 @@ TEST(ProjectLock, ShowsASecondWindowWhoHoldsTheProject) {
   EXPECT_TRUE(ProjectLock::holder(file));
 }
 
+TEST(ProjectLock, NamesTheFolderThatIsNotThere) {
+  const fs::path folder = test::freshFolder() / "nowhere";
+  const auto make = [&] { return Project::create(folder / "oak.espalier", {}).path(); };
+  EXPECT_THAT(test::errorOf(make), HasSubstr("oak.espalier: there is no folder '"));
+}
+
 TEST(ProjectLock, LetsASecondWindowReadOnly) {
   const fs::path file = test::freshFolder() / "oak.espalier";
   const Project first = Project::create(file, {.skeleton = test::fork(2)});

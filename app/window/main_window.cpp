@@ -77,7 +77,6 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   makeParts();
   new DigitKeys(*actions_, this);
   new MenuKeys(this);
-  new PanelKeys(this);
   fillMenus();
   fillToolBar();
   connectJobs();

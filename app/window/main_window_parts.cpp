@@ -33,6 +33,7 @@
 #include "app/window/frame/language_flow.h"
 #include "app/window/frame/panel_dock.h"
 #include "app/window/frame/panel_focus.h"
+#include "app/window/frame/panel_keys.h"
 #include "app/window/frame/theme_flow.h"
 #include "app/window/frame/tour_flow.h"
 #include "app/window/main_window.h"
@@ -93,10 +94,14 @@ void MainWindow::makeParts() {
   makePreview(*pipeline);
   parts_.make<ThemeFlow>(ThemeFlow::Parts{*actions_, settings_, *this});
   parts_.make<LanguageFlow>(*actions_, settings_);
-  parts_.make<PanelFocus>(PanelFocus::Parts{*actions_, *this, [this] {
+  const auto hasPreview = [this] { return parts_.get<Editing>().hasPreview(); };
+  new PanelKeys(this, hasPreview);
+  parts_.make<PanelFocus>(PanelFocus::Parts{*actions_, *this,
+                                            [this] {
                                               PlantView& view = parts_.get<Editing>().activeView();
                                               if (view.isVisible()) view.setFocus();
-                                            }});
+                                            },
+                                            hasPreview});
   parts_.make<TourFlow>(TourFlow::Parts{document_, *actions_, settings_, *this});
   parts_.make<HelpFlow>(HelpFlow::Parts{*actions_, settings_, *this, [this] {
                                           return document_.isEmpty()
@@ -368,7 +373,7 @@ void MainWindow::joinReview() {
   connect(&parts_.get<HelpFlow>(), &HelpFlow::keysAsked, &parts_.get<AskingFlow>(),
           &AskingFlow::stopAsking); // which has keys of others
   connect(&editing, &Editing::hintChanged, &review,
-          [&review, &editing] { review.setInGesture(editing.isPending()); });
+          [&review, &editing] { review.setInGesture(editing.isPending() || editing.offered()); });
   showSeal();
 }
 

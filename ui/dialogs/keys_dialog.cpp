@@ -8,6 +8,7 @@
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -62,6 +63,14 @@ KeysDialog::KeysDialog(KeyBindings& bindings, const QAction* chosen, QWidget* pa
   connect(&bindings_, &KeyBindings::changed, this, &KeysDialog::refresh);
   refresh();
   choose(chosen);
+}
+
+/// Enter presses the button that has the keyboard; none of them is pressed from elsewhere.
+void KeysDialog::keyPressEvent(QKeyEvent* event) {
+  const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  auto* button = qobject_cast<QPushButton*>(focusWidget());
+  if (isEnter && button != nullptr) return button->click();
+  QDialog::keyPressEvent(event);
 }
 
 void KeysDialog::makeList() {
@@ -125,7 +134,10 @@ void KeysDialog::choose(const QAction* action) {
     if (action == nullptr || (*at)->data(0, Qt::UserRole) == action->objectName()) {
       list_->setCurrentItem(*at);
       list_->scrollToItem(*at, QTreeWidget::PositionAtCenter);
-      keys_->setFocus();
+      if (action == nullptr)
+        filter_->setFocus(); // none was asked for
+      else
+        keys_->setFocus();
       return;
     }
 }
@@ -180,11 +192,12 @@ void KeysDialog::refreshEditor() {
   else if (other != nullptr)
     note_->setText(tr("%1 is used for “%2”, which would lose it").arg(text, nameOf(*other)));
   else
-    note_->setText(keys.isEmpty() ? tr("Click the field and press the new keys") : QString());
+    note_->setText(keys.isEmpty() ? tr("Go to the field and press the new keys") : QString());
 }
 
 void KeysDialog::take() {
   bindings_.set(*current(), keys_->keys());
+  list_->setFocus(); // else it goes on to the button that takes keys away
 }
 
 QAction* KeysDialog::current() const {

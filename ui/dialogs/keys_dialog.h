@@ -24,6 +24,7 @@ public:
   KeysDialog(KeyBindings& bindings, const QAction* chosen, QWidget* parent);
 
 private:
+  void keyPressEvent(QKeyEvent* event) override;
   void makeList();
   QWidget* makeEditor();
   void choose(const QAction* action);

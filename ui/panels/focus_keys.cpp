@@ -35,6 +35,24 @@ private:
   std::function<void()> act_;
 };
 
+/// Keeps a row that nobody chose from being current once the keyboard is there.
+class NoRowUnasked : public QObject {
+public:
+  explicit NoRowUnasked(QAbstractItemView& list) : QObject(&list), list_(list) {
+    list.installEventFilter(this); // which owns it
+  }
+
+private:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    // A list makes its first row current as it gets the keyboard, unless it was set to none.
+    if (event->type() == QEvent::FocusIn && !list_.currentIndex().isValid())
+      list_.setCurrentIndex({});
+    return QObject::eventFilter(watched, event);
+  }
+
+  QAbstractItemView& list_;
+};
+
 /// Keeps keys of a list from being shortcuts.
 class ListKeys : public QObject {
 public:
@@ -92,6 +110,7 @@ void opensOnEnter(QComboBox& choices) {
 
 void goesThroughRows(QAbstractItemView& list) {
   new ListKeys(list, isOfRows);
+  new NoRowUnasked(list);
 }
 
 void onEscape(QWidget& widget, std::function<void()> act) {

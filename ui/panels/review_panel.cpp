@@ -202,10 +202,8 @@ void ReviewPanel::addAxes(QVBoxLayout& column) {
   };
   connect(axes_, &QTableView::clicked, this, choose);
   connect(axes_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-          [this, choose](const QModelIndex& index, const QModelIndex& before) {
-            const bool isEntered = !before.isValid(); // what one is at stays selected
-            if (axes_->hasFocus() && !QGuiApplication::mouseButtons() && !isEntered)
-              choose(index); // by the keys
+          [this, choose](const QModelIndex& index) {
+            if (axes_->hasFocus() && !QGuiApplication::mouseButtons()) choose(index); // by the keys
           });
 }
 

@@ -68,18 +68,26 @@ bool MeasureTool::act(const ToolInput& input) {
     if (press_ && isDragged(*press_, input.screen)) press_.reset();
     return false;
   case ToolInput::Phase::release:
-    if (std::exchange(press_, {})) click(input.pick);
+    if (const auto mark = markOf(input.pick); std::exchange(press_, {}) && mark) add(*mark);
     return false;
   default:
     return false;
   }
 }
 
-void MeasureTool::click(const Pick& pick) {
-  const std::optional<Mark> mark = markOf(pick);
-  if (!mark) return;
+bool MeasureTool::takesNode(NodeId id) const {
+  if (marks_.empty()) return true;
+  const auto& last = marks_.back().place;
+  return !last || last->node != id || last->fraction != 1;
+}
+
+void MeasureTool::takeNode(NodeId id) {
+  add({.place = SkeletonPlace{id}});
+}
+
+void MeasureTool::add(const Mark& mark) {
   if (marks_.size() == 3) marks_.clear();
-  marks_.push_back(*mark);
+  marks_.push_back(mark);
   show();
 }
 

@@ -41,6 +41,12 @@ public:
   /// @throws Error if that is refused; the preview stays
   virtual void accept() {}
 
+  /// Has it a use for a node that is selected by keys, which Enter then gives it?
+  [[nodiscard]] virtual bool takesNode(NodeId /*id*/) const { return false; }
+
+  /// That node, as a click on it. pre: takesNode(id)
+  virtual void takeNode(NodeId /*id*/) {}
+
   /// What it has found, to be read and copied; Escape takes it away. Empty: nothing.
   [[nodiscard]] virtual QString result() const { return {}; }
 

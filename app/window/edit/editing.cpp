@@ -78,7 +78,7 @@ void Editing::addTools() {
                          [this] { accept(); });
   // Off without a preview: Enter then belongs to the field that is typed in.
   connect(this, &Editing::hintChanged, accept_,
-          [this] { accept_->setEnabled(canEdit() && tool().hasPreview()); });
+          [this] { accept_->setEnabled(canEdit() && (tool().hasPreview() || offered())); });
   for (const ToolEntry& entry : entries_) {
     std::unique_ptr<Tool> tool = entry.create(document_, canvas_);
     connect(tool.get(), &Tool::hintChanged, this, &Editing::hintChanged);
@@ -218,7 +218,9 @@ void Editing::setEnabled(bool isEnabled) {
 
 QString Editing::hint() const {
   if (!isEnabled_) return tr("Drag: turn   Right drag: pan   Wheel: zoom");
-  const QString hint = withKeys(tool().hint(), actions_);
+  QString hint = tool().hint();
+  if (const auto node = offered()) hint += "   " + tr("{accept} takes %1").arg(nodeName(*node));
+  hint = withKeys(hint, actions_);
   return document_.isReadOnly() ? tr("Read-only   %1").arg(hint) : hint;
 }
 
@@ -244,10 +246,21 @@ void Editing::useTool(const QString& id, bool startsWithNodes) {
   refreshEnabled();
 }
 
+std::optional<NodeId> Editing::offered() const {
+  const std::vector<NodeId>& nodes = document_.selection().nodes();
+  if (nodes.size() != 1 || tool().hasPreview() || !tool().takesNode(nodes.front()))
+    return std::nullopt;
+  return nodes.front();
+}
+
 void Editing::accept() {
-  if (!tool().hasPreview()) return;
-  document_.requireEditable();
-  tool().accept();
+  if (const auto node = offered())
+    tool().takeNode(*node);
+  else if (tool().hasPreview()) {
+    document_.requireEditable();
+    tool().accept();
+  } else
+    return;
   emit hintChanged();
 }
 

@@ -45,6 +45,7 @@ public:
   void setEnabled(bool isEnabled) override;
 
   [[nodiscard]] bool isBusy() const override { return tool().isBusy(); } // in mid-gesture
+  [[nodiscard]] bool hasPreview() const { return tool().hasPreview(); }
   /// In mid-gesture, or with a preview that waits for a yes: Enter and Escape belong to the tool.
   [[nodiscard]] bool isPending() const { return tool().isBusy() || tool().hasPreview(); }
 
@@ -71,6 +72,8 @@ public:
   [[nodiscard]] const Pick& under() const { return under_; } // the pointer, as last reported
   [[nodiscard]] std::optional<QPointF> pointer() const; // in the active view; none once it left
   [[nodiscard]] PlantView& activeView() const { return canvas_.view(); } // the pointer was in last
+  /// The node that Enter gives the tool: the one that is selected, if it has a use for that.
+  [[nodiscard]] std::optional<NodeId> offered() const;
   /// The node under the pointer, or the one that the edge there leads to.
   [[nodiscard]] std::optional<NodeId> nodeUnder() const;
 

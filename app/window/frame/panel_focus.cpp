@@ -82,6 +82,8 @@ void PanelFocus::noteUsed(QDockWidget& dock) {
 
 QString PanelFocus::furtherHint() const {
   if (in_ == nullptr) return {};
+  // While a preview waits for an answer, Esc drops it first.
+  if (parts_.hasPreview()) return withKeys(tr("{go_to_panel} next panel"), parts_.actions);
   return withKeys(tr("{leave} back to the plant   {go_to_panel} next panel"), parts_.actions);
 }
 

@@ -26,6 +26,7 @@ public:
     ActionSet& actions;
     QMainWindow& window; // with all its docks
     std::function<void()> toPlant;
+    std::function<bool()> hasPreview; // that waits for an answer
   };
   explicit PanelFocus(const Parts& parts);
 

@@ -29,6 +29,11 @@ bool isPlainEnter(const QKeyEvent& press) {
          !(press.modifiers() & ~Qt::KeypadModifier);
 }
 
+bool isTyped(const QKeyEvent& press) {
+  constexpr auto ofActions = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
+  return !press.text().isEmpty() && press.text()[0].isPrint() && !(press.modifiers() & ofActions);
+}
+
 void pressNow(QAbstractButton& button) {
   auto* tool = qobject_cast<QToolButton*>(&button);
   const bool hasMenu = tool != nullptr && tool->menu() != nullptr;
@@ -137,16 +142,23 @@ bool giveKeysOn(QWidget& window, bool isNext) {
   return true;
 }
 
-PanelKeys::PanelKeys(QMainWindow* window) : QObject(window), window_(*window) {
+PanelKeys::PanelKeys(QMainWindow* window, std::function<bool()> hasPreview)
+    : QObject(window), window_(*window), hasPreview_(std::move(hasPreview)) {
   qApp->installEventFilter(this);
 }
 
-bool PanelKeys::pressesByEnter(QWidget* widget) const {
-  if (widget == nullptr || widget == clicked_) return false;
+/// In the window, or a panel of it, and no dialog.
+bool PanelKeys::isIn(QWidget* widget) const {
   const QWidget* in = widget;
   while (in != nullptr && in != &window_ && !qobject_cast<const QDialog*>(in))
     in = in->parentWidget(); // also of a panel that is a window of its own
   return in == &window_;
+}
+
+bool PanelKeys::acceptsByEnter(QWidget* widget) const {
+  const bool isList = qobject_cast<const QAbstractItemView*>(widget) != nullptr ||
+                      qobject_cast<const QComboBox*>(widget) != nullptr;
+  return isList && QApplication::activePopupWidget() == nullptr && isIn(widget) && hasPreview_();
 }
 
 bool PanelKeys::eventFilter(QObject* watched, QEvent* event) {
@@ -170,7 +182,17 @@ bool PanelKeys::eventFilter(QObject* watched, QEvent* event) {
     return true;
   }
   auto* widget = qobject_cast<QWidget*>(watched);
-  if (!isPlainEnter(press) || !pressesByEnter(widget)) return false;
+  if (widget == nullptr) return false;
+  if (isOverride && isPlainEnter(press) && acceptsByEnter(widget)) {
+    event->ignore(); // so that it is the command
+    return true;
+  }
+  if (widget == clicked_ || !isIn(widget)) return false;
+  if (isOverride && isTyped(press) && qobject_cast<QComboBox*>(widget) != nullptr) {
+    event->accept();
+    return true;
+  }
+  if (!isPlainEnter(press)) return false;
   auto* button = qobject_cast<QAbstractButton*>(watched);
   if (button == nullptr && qobject_cast<QAbstractSlider*>(watched) == nullptr) return false;
   event->accept(); // an override: so that it comes as a press, before any action

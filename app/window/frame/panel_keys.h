@@ -4,6 +4,8 @@
 #include <QPointer>
 #include <QWidget>
 
+#include <functional>
+
 class QDockWidget;
 class QMainWindow;
 
@@ -24,17 +26,21 @@ namespace espalier {
 bool giveKeysOn(QWidget& window, bool isNext);
 
 /// Keys of what has the keyboard, in a window in which most keys are commands: Enter presses the
-/// button that one came to by keys, and Undo passes by a field in which nothing was typed. After a
-/// click on a button Enter goes on meaning what it does in the view.
+/// button that one came to by keys, letters choose in a list of choices that one came to so, and
+/// Undo passes by a field in which nothing was typed. After a click they go on meaning what they do
+/// in the view. While a preview waits for an answer, Enter in a list or on choices accepts it.
 class PanelKeys : public QObject {
 public:
-  explicit PanelKeys(QMainWindow* window);
+  /// @param hasPreview  whether one waits for an answer
+  PanelKeys(QMainWindow* window, std::function<bool()> hasPreview);
 
 private:
   bool eventFilter(QObject* watched, QEvent* event) override;
-  [[nodiscard]] bool pressesByEnter(QWidget* widget) const;
+  [[nodiscard]] bool isIn(QWidget* widget) const;
+  [[nodiscard]] bool acceptsByEnter(QWidget* widget) const;
 
   QMainWindow& window_;
+  std::function<bool()> hasPreview_;
   QPointer<QWidget> clicked_; // that has the keyboard by a click
 };
 

@@ -63,6 +63,25 @@ TEST_F(KeysWindowTest, TheNewKeyWorksAndTheOldOneNoMore) {
   EXPECT_EQ(document().skeleton().size(), 6U);
 }
 
+TEST_F(KeysWindowTest, IsDoneByKeysAlone) {
+  action("shortcuts").trigger();
+  for (auto* button : sheet().findChildren<QPushButton*>())
+    if (button->text() == "Change Keys…") button->click();
+  const auto keyboard = [this] { return find<QDialog>("keys_dialog").focusWidget(); };
+  EXPECT_EQ(keyboard(), &find<QLineEdit>("keys_filter")) << "no command was chosen";
+  find<QDialog>("keys_dialog").reject();
+  sheet().reject();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  change("new_child");
+  EXPECT_EQ(keyboard(), &find<KeyEdit>("new_keys"));
+  press(Qt::Key_F13);
+  auto& set = find<QPushButton>("set_keys");
+  set.setFocus(Qt::TabFocusReason);
+  QTest::keyClick(&set, Qt::Key_Return);
+  EXPECT_EQ(keysOf("new_child"), "F13");
+  EXPECT_EQ(keyboard(), &find<QTreeWidget>("keys_list")) << "not what takes them away again";
+}
+
 TEST_F(KeysWindowTest, HintsNameTheNewKey) {
   open({writeFork("fork.mtg")});
   hover(placeOf(test::forkTop));

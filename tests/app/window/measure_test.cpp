@@ -30,6 +30,22 @@ TEST_F(MeasureWindowTest, TwoClicksShowTheLengthInTheStatusLine) {
   EXPECT_TRUE(document().selection().isEmpty()) << "to measure selects nothing";
 }
 
+TEST_F(MeasureWindowTest, EnterTakesTheNodeThatIsSelected) {
+  open({writeFork("fork.mtg")});
+  key(Qt::Key_F9); // where Enter would mark it as reviewed
+  key(Qt::Key_I);
+  document().selection().set({forkRoot});
+  EXPECT_TRUE(statusText().contains("Enter takes node")) << statusText().toStdString();
+  key(Qt::Key_Return);
+  EXPECT_FALSE(action("accept").isEnabled()) << "it is measured from there already";
+  document().selection().set({forkTop});
+  key(Qt::Key_Return);
+  EXPECT_TRUE(statusText().startsWith("straight 1.000\u202fm   along the plant 1.000\u202fm"))
+      << statusText().toStdString();
+  EXPECT_EQ(document().undoStack().index(), 0);
+  EXPECT_EQ(document().skeleton()[forkTop].review.state, ReviewState::toDo);
+}
+
 TEST_F(MeasureWindowTest, CtrlCCopiesIt) {
   measureTrunk();
   document().selection().set({forkTop});

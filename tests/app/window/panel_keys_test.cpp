@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QEnterEvent>
@@ -105,6 +106,52 @@ TEST_F(PanelKeysTest, TheListOfAxesChoosesNoneAsTheKeyboardComes) {
   EXPECT_EQ(document().selection().nodes(), std::vector{test::forkTop});
   press(axes, Qt::Key_Down);
   EXPECT_NE(document().selection().nodes(), std::vector{test::forkTop});
+}
+
+TEST_F(PanelKeysTest, NoRowIsCurrentUntilAKeyChoosesOne) {
+  openFork();
+  key(Qt::Key_F9);
+  auto& axes = find<QTableView>("review_axes");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return axes.model()->rowCount() > 1; }, patience));
+  axes.setFocus(Qt::TabFocusReason);
+  EXPECT_FALSE(axes.currentIndex().isValid());
+  press(axes, Qt::Key_Down);
+  EXPECT_EQ(axes.currentIndex().row(), 0);
+}
+
+TEST_F(PanelKeysTest, EnterInAListAcceptsThePreview) {
+  openFork();
+  key(Qt::Key_F9);
+  auto& axes = find<QTableView>("review_axes");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return axes.model()->rowCount() > 1; }, patience));
+  const NodeId branch = document().skeleton().children(test::forkTop).back();
+  document().selection().set({branch});
+  key(Qt::Key_P);
+  key(Qt::Key_Down);
+  key(Qt::Key_Down); // what bears what bears it
+  ASSERT_TRUE(action("accept").isEnabled());
+  const NodeId root = document().skeleton().roots().front();
+  axes.setFocus(Qt::TabFocusReason);
+  press(axes, Qt::Key_Return);
+  EXPECT_EQ(document().skeleton()[branch].parent, root);
+}
+
+TEST_F(PanelKeysTest, LettersChooseInAListOfChoicesThatTabLedTo) {
+  openFork();
+  document().selection().set({test::forkTop});
+  QComboBox* choices = nullptr;
+  for (QComboBox* each : window().findChildren<QComboBox*>())
+    if (takesKeys(*each) && !each->isEditable()) choices = each;
+  ASSERT_NE(choices, nullptr);
+  const std::size_t before = document().skeleton().size();
+  choices->setFocus(Qt::TabFocusReason);
+  ASSERT_TRUE(choices->hasFocus());
+  press(*choices, Qt::Key_N);
+  EXPECT_EQ(document().skeleton().size(), before) << "nothing is done to the plant";
+  choices->clearFocus();
+  choices->setFocus(Qt::MouseFocusReason);
+  press(*choices, Qt::Key_N);
+  EXPECT_EQ(document().skeleton().size(), before + 1) << "after a click keys are the plant's";
 }
 
 // As where a list of choices closes that was opened by the keyboard.

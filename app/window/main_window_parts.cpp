@@ -370,6 +370,8 @@ void MainWindow::joinReview() {
   connect(&seals, &SealFlow::changed, &review, showSeal);
   connect(&seals, &SealFlow::signerChanged, &review, &ReviewFlow::setReviewer);
   connect(&review, &ReviewFlow::reviewerChanged, &seals, &SealFlow::setSigner);
+  connect(&parts_.get<ProjectFlow>(), &ProjectFlow::authorChosen, &review,
+          &ReviewFlow::setReviewer);
   connect(&parts_.get<HelpFlow>(), &HelpFlow::keysAsked, &parts_.get<AskingFlow>(),
           &AskingFlow::stopAsking); // which has keys of others
   connect(&editing, &Editing::hintChanged, &review,

@@ -323,7 +323,36 @@ void ProjectFlow::show(LoadedProject loaded, As as) {
          .isError = true,
          .actions = {{tr("Find Scan…"), [this] { askForScan(); }}}});
   if (!loaded.notes.isEmpty()) reportFailure(loaded.notes.join('\n'));
-  if (!isScanMissing && loaded.notes.isEmpty()) offerToGoBack();
+  if (isScanMissing || !loaded.notes.isEmpty()) return;
+  if (as != As::itself || isSession || !offerAuthor()) offerToGoBack();
+}
+
+/// Who made the last step, if none is by the one that further steps are recorded of; else empty.
+QString ProjectFlow::otherAuthor() const {
+  const QString own = author();
+  QString last;
+  for (int i = 0; i < parts_.document.undoStack().index(); ++i) {
+    const QString by = QString::fromStdString(parts_.document.step(i).author);
+    if (by.isEmpty()) continue;
+    if (by == own) return {};
+    last = by;
+  }
+  return last;
+}
+
+/// Steps are recorded of who worked last in this program, who may be another.
+/// @return false: there is nothing to ask
+bool ProjectFlow::offerAuthor() {
+  const QString other = otherAuthor();
+  if (other.isEmpty()) return false;
+  const QString own = author();
+  emit reported(
+      {.text =
+           own.isEmpty()
+               ? tr("This project is by %1: your steps will be recorded without a name").arg(other)
+               : tr("This project is by %1: your steps will be recorded as by %2").arg(other, own),
+       .actions = {{tr("Go On as %1").arg(other), [this, other] { emit authorChosen(other); }}}});
+  return true;
 }
 
 void ProjectFlow::showBeside(const Project& project, QStringList& notes) {

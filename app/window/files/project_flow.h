@@ -114,8 +114,9 @@ signals:
   void scanFound(); // of the project that is open
   void scanGrown();
   void sessionsChanged();
-  void chosen(const QString& path);      // a session to go on with
-  void workedOn(const QString& project); // the file that edits go to now; empty: none yet
+  void chosen(const QString& path);       // a session to go on with
+  void workedOn(const QString& project);  // the file that edits go to now; empty: none yet
+  void authorChosen(const QString& name); // of whom further steps are to be recorded
 
 private:
   enum class As : std::uint8_t { itself, copy, readOnly };
@@ -138,7 +139,9 @@ private:
   void finishKeeping();
   void reportFailure(const QString& message);
   [[nodiscard]] bool isOfThePlant(const Session& session) const;
-  void offerToGoBack(); // to what was left last, if it is kept
+  void offerToGoBack();
+  [[nodiscard]] QString otherAuthor() const;
+  bool offerAuthor(); // to what was left last, if it is kept
 
   Parts parts_;
   Sessions sessions_;

@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
 
@@ -54,6 +55,28 @@ TEST_F(ProjectWindowTest, IsSavedUnderTheEndingByWhichProjectsAreKnown) {
   EXPECT_TRUE(window().banner().text().contains("anna.esp.espalier is there already"))
       << window().banner().text().toStdString();
   EXPECT_EQ(QFileInfo(path("anna.esp.espalier")).size(), before);
+}
+
+TEST_F(ProjectWindowTest, SaysWhoseStepsAreRecordedInAProjectOfAnother) {
+  open({writeFork("fork.mtg")});
+  const auto type = [this](const QString& name) {
+    auto& reviewer = find<QLineEdit>("reviewer");
+    reviewer.setText(name);
+    emit reviewer.editingFinished();
+  };
+  type("Anna");
+  setRadius(0.3);
+  const QString file = saveProject("anna.espalier");
+  type("Ben");
+  open({writeFork("other.mtg")});
+  open({file});
+  EXPECT_EQ(message(), "This project is by Anna: your steps will be recorded as by Ben");
+  clickButton("banner_action");
+  setRadius(0.4);
+  EXPECT_EQ(onDisk(file).steps.back().author, "Anna");
+  open({writeFork("third.mtg")});
+  open({file});
+  EXPECT_FALSE(window().banner().isVisible()) << message().toStdString();
 }
 
 TEST_F(ProjectWindowTest, SaysThatEverythingIsSavedOnSave) {

@@ -105,7 +105,7 @@ bool NodeTablePanel::goesToRow(int key) {
 
 void NodeTablePanel::makeTable() {
   table_->setObjectName("node_table");
-  table_->setAccessibleName(tr("Nodes"));
+  table_->setAccessibleName(tr("Node Table"));
   table_->setModel(model_);
   table_->setItemDelegateForColumn(static_cast<int>(NodeColumn::edge), new EdgeDelegate(table_));
   table_->setShowGrid(false);

@@ -28,7 +28,7 @@ NodeTableFlow::NodeTableFlow(const Parts& parts)
   parts_.window.actions.beginSection(tr("View"));
   addDock(new PanelDock(parts_.window,
                         {.id = "node_table",
-                         .title = tr("Nodes"),
+                         .title = tr("Node Table"),
                          .text = tr("Node Table"),
                          .help = tr("Shows or hides the table of nodes"),
                          .keys = Qt::Key_F11,

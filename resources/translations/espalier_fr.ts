@@ -4401,6 +4401,10 @@
         <source>select the node to go on from, or add a child first</source>
         <translation>sélectionnez le nœud à partir duquel continuer, ou ajoutez d’abord un enfant</translation>
     </message>
+    <message>
+        <source>{accept} takes %1</source>
+        <translation>{accept} prend %1</translation>
+    </message>
 </context>
 <context>
     <name>espalier::EnvelopeFlow</name>
@@ -5776,8 +5780,8 @@ Maj+clic en ajoute d’autres.</translation>
         <translation>%1 sert à «&#xa0;%2&#xa0;», qui la perdrait</translation>
     </message>
     <message>
-        <source>Click the field and press the new keys</source>
-        <translation>Cliquez le champ et pressez les nouvelles touches</translation>
+        <source>Go to the field and press the new keys</source>
+        <translation>Allez dans le champ et appuyez sur les nouvelles touches</translation>
     </message>
 </context>
 <context>
@@ -6477,10 +6481,6 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <translation>Vue</translation>
     </message>
     <message>
-        <source>Nodes</source>
-        <translation>Nœuds</translation>
-    </message>
-    <message>
         <source>Node Table</source>
         <translation>Tableau des nœuds</translation>
     </message>
@@ -6554,10 +6554,6 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
         <translation>Copie les lignes sélectionnées, ou toutes, pour un tableur</translation>
     </message>
     <message>
-        <source>Nodes</source>
-        <translation>Nœuds</translation>
-    </message>
-    <message>
         <source>There are no nodes yet</source>
         <translation>Il n’y a pas encore de nœuds</translation>
     </message>
@@ -6568,6 +6564,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>%1 of %2 nodes, %3 selected</source>
         <translation>%1 nœuds sur %2, %3 sélectionnés</translation>
+    </message>
+    <message>
+        <source>Node Table</source>
+        <translation>Tableau des nœuds</translation>
     </message>
 </context>
 <context>
@@ -6770,6 +6770,10 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>No panel is shown that takes keys: View &gt; Panels shows one</source>
         <translation>Aucun panneau affiché ne prend le clavier&#xa0;: Vue &gt; Panneaux en affiche un</translation>
+    </message>
+    <message>
+        <source>{go_to_panel} next panel</source>
+        <translation>{go_to_panel} panneau suivant</translation>
     </message>
 </context>
 <context>
@@ -7496,6 +7500,18 @@ De ses points, %1 % sont de bois, %2 % de pétioles, %3 % de limbes et %4 % d’
     <message>
         <source>%1 is there already: choose that name to replace it</source>
         <translation>%1 existe déjà&#xa0;: choisissez ce nom pour le remplacer</translation>
+    </message>
+    <message>
+        <source>This project is by %1: your steps will be recorded without a name</source>
+        <translation>Ce projet est de %1&#xa0;: vos étapes seront notées sans nom</translation>
+    </message>
+    <message>
+        <source>This project is by %1: your steps will be recorded as by %2</source>
+        <translation>Ce projet est de %1&#xa0;: vos étapes seront notées comme étant de %2</translation>
+    </message>
+    <message>
+        <source>Go On as %1</source>
+        <translation>Continuer comme %1</translation>
     </message>
 </context>
 <context>
@@ -15155,10 +15171,6 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>certaines de ses versions sont abîmées&#xa0;: les autres peuvent être lues</translation>
     </message>
     <message>
-        <source>cannot be written: %1; open the project to read only</source>
-        <translation>ne peut pas être écrit&#xa0;: %1&#xa0;; ouvrez le projet en lecture seule</translation>
-    </message>
-    <message>
         <source>is open in another window: go on there, open it to read only, or open a copy</source>
         <translation>est ouvert dans une autre fenêtre&#xa0;: continuez dans celle-ci, ouvrez-le en lecture seule, ou ouvrez une copie</translation>
     </message>
@@ -15223,10 +15235,6 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>son nom n’est pas en UTF-8&#xa0;: renommez-le</translation>
     </message>
     <message>
-        <source>holds no project and no scan: choose another folder, or name the files in a table</source>
-        <translation>ne contient ni projet ni scan&#xa0;: choisissez un autre dossier, ou nommez les fichiers dans un tableau</translation>
-    </message>
-    <message>
         <source>no file is named: write a project or a scan</source>
         <translation>aucun fichier n’est nommé&#xa0;: écrivez un projet ou un scan</translation>
     </message>
@@ -15249,10 +15257,6 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>%1 is no UTF-8: rename the file</source>
         <translation>%1 n’est pas en UTF-8&#xa0;: renommez le fichier</translation>
-    </message>
-    <message>
-        <source>there is no column file: name the columns in the first line, as file,annotator,second annotator</source>
-        <translation>il n’y a pas de colonne file&#xa0;: nommez les colonnes dans la première ligne, comme file,annotator,second annotator</translation>
     </message>
     <message>
         <source>no plant is listed: write a line for each below the first</source>
@@ -15421,6 +15425,22 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>%1 % of the length has no radii: volume, areas, diameters and light lack that wood; estimate radii first</source>
         <translation>%1&#xa0;% de la longueur est sans rayons&#xa0;: ce bois manque au volume, aux surfaces, aux diamètres et à la lumière&#xa0;; estimez d’abord les rayons</translation>
+    </message>
+    <message>
+        <source>there is no folder %1: make it, or choose another</source>
+        <translation>il n’y a pas de dossier %1&#xa0;: créez-le, ou choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1; open it to read only, or save it elsewhere</source>
+        <translation>ne peut pas être écrit&#xa0;: %1&#xa0;; ouvrez-le en lecture seule, ou enregistrez-le ailleurs</translation>
+    </message>
+    <message>
+        <source>holds no project and no scan itself: choose the folder that they lie in, or name them in a table</source>
+        <translation>ne contient lui-même ni projet ni scan&#xa0;: choisissez le dossier où ils se trouvent, ou nommez-les dans un tableau</translation>
+    </message>
+    <message>
+        <source>there is no column %1: name the columns in the first line, as %2</source>
+        <translation>il n’y a pas de colonne %1&#xa0;: nommez les colonnes dans la première ligne, comme %2</translation>
     </message>
 </context>
 <context>
@@ -17742,10 +17762,6 @@ Chargez une référence pour voir comment les deux s’accordent.</translation>
         <translation>État</translation>
     </message>
     <message>
-        <source>Findings that were open when the plant was signed, or last checked</source>
-        <translation>Constats qui étaient ouverts quand la plante a été signée, ou contrôlée en dernier</translation>
-    </message>
-    <message>
         <source>Findings</source>
         <translation>Constats</translation>
     </message>
@@ -17780,6 +17796,10 @@ Chargez une référence pour voir comment les deux s’accordent.</translation>
     <message>
         <source>F of both structures; the tip of a row says within which distance</source>
         <translation>F des deux structures&#xa0;; l’infobulle d’une ligne dit à quelle distance près</translation>
+    </message>
+    <message>
+        <source>Findings of the checks, without doubts, that were open when the plant was signed, or last checked</source>
+        <translation>Constats des contrôles, sans les doutes, qui étaient ouverts quand la plante a été signée ou contrôlée pour la dernière fois</translation>
     </message>
 </context>
 <context>

@@ -150,8 +150,8 @@ void MainWindow::makeCenter() {
   banner_->setCover([this](const QRect& part) {
     int covered = start_->covered(part.translated(-start_->pos()));
     if (const auto* hint = findChild<TourHint*>(); hint != nullptr && hint->isVisible()) {
-      const QRect hidden(center_->mapFromGlobal(hint->mapToGlobal(QPoint())), hint->size());
-      const QRect shared = part & hidden;
+      const QRect over(center_->mapFromGlobal(hint->mapToGlobal(QPoint())), hint->size());
+      const QRect shared = part & over;
       covered += shared.width() * shared.height();
     }
     for (const PlantView* view :

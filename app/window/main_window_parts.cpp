@@ -374,8 +374,10 @@ void MainWindow::joinReview() {
           &ReviewFlow::setReviewer);
   connect(&parts_.get<HelpFlow>(), &HelpFlow::keysAsked, &parts_.get<AskingFlow>(),
           &AskingFlow::stopAsking); // which has keys of others
-  connect(&editing, &Editing::hintChanged, &review,
-          [&review, &editing] { review.setInGesture(editing.isPending() || editing.offered()); });
+  connect(&editing, &Editing::hintChanged, &review, [&review, &editing] {
+    review.setInGesture(editing.isPending());
+    review.setEnterTaken(editing.offered().has_value());
+  });
   showSeal();
 }
 

@@ -25,7 +25,8 @@ fs::path lockOf(const fs::path& project) {
 ShownMessage notWritten(const fs::path& project, int reason) {
   std::error_code isMissing;
   const fs::path folder = project.parent_path();
-  if (!folder.empty() && !fs::is_directory(folder, isMissing))
+  const bool isNowhere = reason == ENOENT || reason == ENOTDIR;
+  if (isNowhere && !folder.empty() && !fs::is_directory(folder, isMissing))
     return {espalier::Shown::tr("there is no folder %1: make it, or choose another"),
             {inQuotes(folder.string())},
             FilePlace{project.string()}};

@@ -69,7 +69,10 @@ KeysDialog::KeysDialog(KeyBindings& bindings, const QAction* chosen, QWidget* pa
 void KeysDialog::keyPressEvent(QKeyEvent* event) {
   const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   auto* button = qobject_cast<QPushButton*>(focusWidget());
-  if (isEnter && button != nullptr) return button->click();
+  if (isEnter && button != nullptr) {
+    if (!event->isAutoRepeat()) button->click();
+    return;
+  }
   QDialog::keyPressEvent(event);
 }
 
@@ -126,6 +129,8 @@ QWidget* KeysDialog::makeEditor() {
   connect(set_, &QPushButton::clicked, this, &KeysDialog::take);
   connect(clear_, &QPushButton::clicked, this, [this] { bindings_.set(*current(), {}); });
   connect(reset_, &QPushButton::clicked, this, [this] { bindings_.reset(*current()); });
+  for (const QPushButton* button : {set_, clear_, reset_}) // else it goes on to the next of them
+    connect(button, &QPushButton::clicked, list_, qOverload<>(&QWidget::setFocus));
   return editor;
 }
 
@@ -197,7 +202,6 @@ void KeysDialog::refreshEditor() {
 
 void KeysDialog::take() {
   bindings_.set(*current(), keys_->keys());
-  list_->setFocus(); // else it goes on to the button that takes keys away
 }
 
 QAction* KeysDialog::current() const {

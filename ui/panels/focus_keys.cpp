@@ -45,8 +45,12 @@ public:
 private:
   bool eventFilter(QObject* watched, QEvent* event) override {
     // A list makes its first row current as it gets the keyboard, unless it was set to none.
-    if (event->type() == QEvent::FocusIn && !list_.currentIndex().isValid())
+    if (event->type() == QEvent::FocusIn && !list_.currentIndex().isValid()) {
+      const auto mode = list_.selectionMode();
+      list_.setSelectionMode(QAbstractItemView::NoSelection); // what is selected stays so
       list_.setCurrentIndex({});
+      list_.setSelectionMode(mode);
+    }
     return QObject::eventFilter(watched, event);
   }
 

@@ -18,8 +18,8 @@ void onEnter(QWidget& widget, std::function<void()> act);
 /// The same for a list of choices: Enter opens it; once it is open, all keys choose in it.
 void opensOnEnter(QComboBox& choices);
 
-/// Lets Home, End, Page Up and Page Down go through the rows, where the keyboard comes to a list
-/// without choosing one: the arrows lead from the row that is current, or to the first.
+/// Lets Home, End, Page Up and Page Down go through the rows. That the keyboard comes to the list
+/// makes no row current: the arrows lead from the one that is, or to the first.
 void goesThroughRows(QAbstractItemView& list);
 
 /// Lets Escape, alone, do `act`.

@@ -32,7 +32,6 @@ StartPage::StartPage(QWidget* parent)
   setObjectName("start_page");
   setFrameShape(QFrame::NoFrame);
   setWidgetResizable(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* page = new QWidget;
   page->setObjectName("start_content");
   page->setAttribute(Qt::WA_StyledBackground); // a plain widget paints none of a style sheet

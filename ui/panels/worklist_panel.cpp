@@ -126,6 +126,7 @@ void WorklistPanel::makeList() {
   for (const int name : {WorklistModel::annotatorColumn, WorklistModel::secondColumn})
     header->resizeSection(name, 130);
   header->setSortIndicator(WorklistModel::plantColumn, Qt::AscendingOrder);
+  header->setSortIndicatorClearable(true); // a third click leads back to the order of a table
   list_->setSortingEnabled(true);
   onEnter(*list_, [this] { choose(); });
   goesThroughRows(*list_);

@@ -50,7 +50,7 @@ private:
 
   WorklistModel* model_;
   QSortFilterProxyModel* shown_;
-  bool areInOrder_ = false; // until a column is chosen to sort by
+  bool areInOrder_ = false; // as it was shown last
   QLabel* title_;
   QLabel* note_;
   QComboBox* filter_;

@@ -75,14 +75,9 @@ bool MeasureTool::act(const ToolInput& input) {
   }
 }
 
-bool MeasureTool::takesNode(NodeId id) const {
-  if (marks_.empty()) return true;
-  const auto& last = marks_.back().place;
-  return !last || last->node != id || last->fraction != 1;
-}
-
 void MeasureTool::takeNode(NodeId id) {
-  add({.place = SkeletonPlace{id}});
+  const std::optional<SkeletonPlace> last = marks_.empty() ? std::nullopt : marks_.back().place;
+  if (!last || last->node != id || last->fraction != 1) add({.place = SkeletonPlace{id}});
 }
 
 void MeasureTool::add(const Mark& mark) {

@@ -9,8 +9,8 @@
 namespace espalier {
 
 /// Measures between two things that are clicked, nodes, edges or points: straight, and along the
-/// plant where both are on it. A third click gives the angle at the second. It takes nodes that are
-/// selected by keys, too. It edits nothing.
+/// plant where both are on it. A third click gives the angle at the second. Enter gives it
+/// the node that is selected. It edits nothing.
 ///
 /// What was measured on the plant moves with it; it goes when a node of it does.
 class MeasureTool : public Tool {
@@ -21,7 +21,7 @@ public:
 
   [[nodiscard]] QString hint() const override;
   [[nodiscard]] bool isBusy() const override { return marks_.size() == 1; }
-  [[nodiscard]] bool takesNode(NodeId id) const override;
+  [[nodiscard]] bool takesNodes() const override { return true; }
   void takeNode(NodeId id) override;
   [[nodiscard]] QString result() const override;
   void cancel() override;

@@ -41,10 +41,10 @@ public:
   /// @throws Error if that is refused; the preview stays
   virtual void accept() {}
 
-  /// Has it a use for a node that is selected by keys, which Enter then gives it?
-  [[nodiscard]] virtual bool takesNode(NodeId /*id*/) const { return false; }
+  /// Does Enter give it the node that is selected, if that is one alone?
+  [[nodiscard]] virtual bool takesNodes() const { return false; }
 
-  /// That node, as a click on it. pre: takesNode(id)
+  /// That node, as a click on it; the one that it was given last changes nothing.
   virtual void takeNode(NodeId /*id*/) {}
 
   /// What it has found, to be read and copied; Escape takes it away. Empty: nothing.

@@ -76,9 +76,9 @@ void Editing::addTools() {
                           .refusal = Refusal::atPointer,
                           .menu = "edit/preview"},
                          [this] { accept(); });
-  // Off without a preview: Enter then belongs to the field that is typed in.
+  // Else it is off: Enter then belongs to the field that is typed in.
   connect(this, &Editing::hintChanged, accept_,
-          [this] { accept_->setEnabled(canEdit() && (tool().hasPreview() || offered())); });
+          [this] { accept_->setEnabled(offered() || (canEdit() && tool().hasPreview())); });
   for (const ToolEntry& entry : entries_) {
     std::unique_ptr<Tool> tool = entry.create(document_, canvas_);
     connect(tool.get(), &Tool::hintChanged, this, &Editing::hintChanged);
@@ -219,7 +219,8 @@ void Editing::setEnabled(bool isEnabled) {
 QString Editing::hint() const {
   if (!isEnabled_) return tr("Drag: turn   Right drag: pan   Wheel: zoom");
   QString hint = tool().hint();
-  if (const auto node = offered()) hint += "   " + tr("{accept} takes %1").arg(nodeName(*node));
+  if (const auto node = offered(); node && canvas_.view().hasFocus()) // in a list it is another's
+    hint += "   " + tr("{accept} takes %1").arg(nodeName(*node));
   hint = withKeys(hint, actions_);
   return document_.isReadOnly() ? tr("Read-only   %1").arg(hint) : hint;
 }
@@ -248,9 +249,8 @@ void Editing::useTool(const QString& id, bool startsWithNodes) {
 
 std::optional<NodeId> Editing::offered() const {
   const std::vector<NodeId>& nodes = document_.selection().nodes();
-  if (nodes.size() != 1 || tool().hasPreview() || !tool().takesNode(nodes.front()))
-    return std::nullopt;
-  return nodes.front();
+  const bool isTaken = isEnabled_ && nodes.size() == 1 && tool().takesNodes();
+  return isTaken ? std::optional(nodes.front()) : std::nullopt;
 }
 
 void Editing::accept() {

@@ -247,7 +247,10 @@ void ProjectFlow::offerSessions() {
   const bool isAny = document.isEmpty() && !isWithoutPositions(document.structure());
   const auto found = std::ranges::find_if(
       waiting, [&](const Session& session) { return isAny || isOfThePlant(session); });
-  if (found == waiting.end()) return offerToGoBack();
+  if (found == waiting.end()) {
+    if (const auto kept = keptNotice()) emit reported(*kept);
+    return;
+  }
   const QString path = found->path;
   const QString text = isAny ? tr("Continue with %1") : tr("Work on this plant was kept: %1");
   emit reported({.text = text.arg(describe(*found, QDateTime::currentDateTime())),
@@ -258,13 +261,13 @@ void ProjectFlow::offerSessions() {
                               }}}});
 }
 
-void ProjectFlow::offerToGoBack() {
+std::optional<Notice> ProjectFlow::keptNotice() {
   const QList<Session> waiting = sessions_.waiting();
   const auto left = std::ranges::find(waiting, std::exchange(left_, {}), &Session::path);
-  if (left == waiting.end()) return;
-  emit reported(
-      {.text = tr("Your work is kept: %1").arg(describe(*left, QDateTime::currentDateTime())),
-       .actions = {{tr("Go Back to It"), [this, path = left->path] { emit chosen(path); }}}});
+  if (left == waiting.end()) return std::nullopt;
+  return Notice{
+      .text = tr("Your work is kept: %1").arg(describe(*left, QDateTime::currentDateTime())),
+      .actions = {{tr("Go Back to It"), [this, path = left->path] { emit chosen(path); }}}};
 }
 
 bool ProjectFlow::isOfThePlant(const Session& session) const {
@@ -324,7 +327,14 @@ void ProjectFlow::show(LoadedProject loaded, As as) {
          .actions = {{tr("Find Scan…"), [this] { askForScan(); }}}});
   if (!loaded.notes.isEmpty()) reportFailure(loaded.notes.join('\n'));
   if (isScanMissing || !loaded.notes.isEmpty()) return;
-  if (as != As::itself || isSession || !offerAuthor()) offerToGoBack();
+  std::optional<Notice> notice;
+  if (as == As::itself && !isSession) notice = authorNotice();
+  if (auto kept = keptNotice()) {
+    if (notice) kept->text = notice->text + "\n" + kept->text;
+    if (notice) kept->actions.insert(kept->actions.begin(), notice->actions.front());
+    notice = std::move(kept);
+  }
+  if (notice) emit reported(*notice);
 }
 
 /// Who made the last step, if none is by the one that further steps are recorded of; else empty.
@@ -340,19 +350,18 @@ QString ProjectFlow::otherAuthor() const {
   return last;
 }
 
-/// Steps are recorded of who worked last in this program, who may be another.
-/// @return false: there is nothing to ask
-bool ProjectFlow::offerAuthor() {
+/// Further steps are recorded under the name that was used last in this program, whoever's the
+/// project is. None: there is nothing to ask.
+std::optional<Notice> ProjectFlow::authorNotice() {
   const QString other = otherAuthor();
-  if (other.isEmpty()) return false;
+  if (other.isEmpty()) return std::nullopt;
   const QString own = author();
-  emit reported(
-      {.text =
-           own.isEmpty()
-               ? tr("This project is by %1: your steps will be recorded without a name").arg(other)
-               : tr("This project is by %1: your steps will be recorded as by %2").arg(other, own),
-       .actions = {{tr("Go On as %1").arg(other), [this, other] { emit authorChosen(other); }}}});
-  return true;
+  return Notice{
+      .text =
+          own.isEmpty()
+              ? tr("This project is by %1: your steps will be recorded without a name").arg(other)
+              : tr("This project is by %1: your steps will be recorded as by %2").arg(other, own),
+      .actions = {{tr("Go On as %1").arg(other), [this, other] { emit authorChosen(other); }}}};
 }
 
 void ProjectFlow::showBeside(const Project& project, QStringList& notes) {

@@ -139,9 +139,9 @@ private:
   void finishKeeping();
   void reportFailure(const QString& message);
   [[nodiscard]] bool isOfThePlant(const Session& session) const;
-  void offerToGoBack();
+  [[nodiscard]] std::optional<Notice> keptNotice(); // on what was left last, if it is kept
   [[nodiscard]] QString otherAuthor() const;
-  bool offerAuthor(); // to what was left last, if it is kept
+  [[nodiscard]] std::optional<Notice> authorNotice();
 
   Parts parts_;
   Sessions sessions_;

@@ -8,7 +8,6 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QMainWindow>
-#include <QScrollArea>
 
 #include <algorithm>
 #include <ranges>
@@ -37,11 +36,6 @@ QWidget* firstField(const QDockWidget& dock) {
   }
   QWidget* const last = dock.focusWidget();
   return last != nullptr && takesKeys(*last) ? last : first;
-}
-
-void bringIntoSight(QWidget& field) {
-  for (QWidget* around = field.parentWidget(); around != nullptr; around = around->parentWidget())
-    if (auto* area = qobject_cast<QScrollArea*>(around)) area->ensureWidgetVisible(&field);
 }
 
 } // namespace

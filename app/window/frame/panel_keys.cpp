@@ -122,6 +122,11 @@ bool takesKeys(const QWidget& widget) {
          qobject_cast<const QDockWidget*>(&widget) == nullptr;
 }
 
+void bringIntoSight(QWidget& field) {
+  for (QWidget* around = field.parentWidget(); around != nullptr; around = around->parentWidget())
+    if (auto* area = qobject_cast<QScrollArea*>(around)) area->ensureWidgetVisible(&field);
+}
+
 bool giveKeysOn(QWidget& window, bool isNext) {
   std::vector<QWidget*> panels = shownIn(window);
   std::ranges::stable_sort(panels, {}, [](const QWidget* one) {
@@ -137,8 +142,9 @@ bool giveKeysOn(QWidget& window, bool isNext) {
   const auto count = std::ssize(fields);
   const auto at = here - fields.begin(); // behind all of them, if it is none
   const auto next = isNext ? (at >= count - 1 ? 0 : at + 1) : (at + count - 1) % count;
-  fields[static_cast<std::size_t>(next)]->setFocus(isNext ? Qt::TabFocusReason
-                                                          : Qt::BacktabFocusReason);
+  QWidget& field = *fields[static_cast<std::size_t>(next)];
+  field.setFocus(isNext ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+  bringIntoSight(field);
   return true;
 }
 
@@ -166,6 +172,8 @@ bool PanelKeys::eventFilter(QObject* watched, QEvent* event) {
     auto* widget = qobject_cast<QWidget*>(watched);
     if (widget == nullptr) return false; // a window of the system
     const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
+    if (reason == Qt::PopupFocusReason || widget->window()->windowType() == Qt::Popup)
+      return false; // choices that open and close leave the keyboard where it was
     if (reason == Qt::MouseFocusReason)
       clicked_ = widget;
     else if (widget != clicked_ || reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason)

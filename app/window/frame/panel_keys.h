@@ -19,6 +19,9 @@ namespace espalier {
 /// see it, and fields come into sight by themselves.
 [[nodiscard]] bool takesKeys(const QWidget& widget);
 
+/// Scrolls all that it lies in so that one sees it.
+void bringIntoSight(QWidget& field);
+
 /// Gives the keyboard to the next of the window that takes keys, or the one before, in the order in
 /// which one reads them: panel by panel from left to right, past those that lie behind a tab. What
 /// scrolls is one of them where it has no fields.

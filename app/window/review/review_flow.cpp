@@ -76,6 +76,12 @@ void ReviewFlow::setInGesture(bool isInGesture) {
   refreshEnabled();
 }
 
+void ReviewFlow::setEnterTaken(bool isTaken) {
+  if (isTaken == isEnterTaken_) return;
+  isEnterTaken_ = isTaken;
+  refreshEnabled();
+}
+
 void ReviewFlow::setReviewer(const QString& name) {
   panel_->setReviewer(name);
   if (name == reviewer_) return;
@@ -366,6 +372,7 @@ void ReviewFlow::refreshEnabled() {
     walk->setEnabled(isEnabled_ && hasNodes);
   for (QAction* mark : marks_)
     mark->setEnabled(isEnabled_ && !isInGesture_ && hasNodes && !parts_.document.isReadOnly());
+  if (isEnterTaken_) parts_.actions["mark_reviewed"]->setEnabled(false);
   const std::size_t chosen = parts_.document.selection().nodes().size();
   parts_.actions["mark_all_selected"]->setText(
       chosen > 1 ? tr("Mark All %1 Selected Reviewed").arg(formatCount(chosen))

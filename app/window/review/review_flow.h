@@ -60,6 +60,7 @@ public:
   ReviewFlow(const Parts& parts, QAction* sign);
 
   void setEnabled(bool isEnabled) override;
+  void setEnterTaken(bool isTaken); // by a tool: Enter marks nothing then, but the keys beside it
   void setInGesture(bool isInGesture); // of a tool: Enter is its own then, and nothing is marked
 
   [[nodiscard]] ReviewPanel& panel() { return *panel_; }
@@ -126,6 +127,7 @@ private:
   bool isFading_ = false;        // all but at_, while it is what is selected
   bool isEnabled_ = true;
   bool isInGesture_ = false;
+  bool isEnterTaken_ = false;
 };
 
 } // namespace espalier

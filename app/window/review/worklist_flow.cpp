@@ -254,7 +254,7 @@ void WorklistFlow::readNext() {
       [file, isProject = !areProjectsRead, stamp = stamps_.at(file),
        pictures = pictures_](const Progress& progress) {
         return isProject ? readProjectOf(file, stamp, pictures, progress)
-                         : readScanOf(file, stamp, pictures);
+                         : readScanOf(file, stamp, pictures, progress);
       },
       [this, file](ReadPlant plant) { takePlant(file, std::move(plant)); });
 }

@@ -53,12 +53,12 @@ QString nameOfPicture(const fs::path& file, const FileStamp& stamp) {
 }
 
 /// Some of its points: those that a glance has seen, else of a file that is read quickly.
-std::vector<Eigen::Vector3d> someOf(const fs::path& scan, const PointGlance& glance) {
-  constexpr std::uintmax_t quick = std::uintmax_t{32} << 20; // bytes
+std::vector<Eigen::Vector3d> someOf(const fs::path& scan, const PointGlance& glance,
+                                    const Progress& progress) {
+  constexpr std::uint64_t quick = 5'000'000; // points
   constexpr std::uint64_t some = 1 << 14;
-  std::error_code isMissing;
-  if (!glance.sample.empty() || fs::file_size(scan, isMissing) > quick) return glance.sample;
-  const PointCloud cloud = readPoints(scan, {.most = some}).value;
+  if (!glance.sample.empty() || glance.points > quick) return glance.sample;
+  const PointCloud cloud = readPoints(scan, {.most = some}, progress).value;
   std::vector<Eigen::Vector3d> places;
   for (Eigen::Index i = 0; i < cloud.size(); ++i)
     places.push_back(cloud.position(i));
@@ -120,12 +120,13 @@ ReadPlant readProjectOf(const fs::path& project, const FileStamp& stamp,
   return plant;
 }
 
-ReadPlant readScanOf(const fs::path& scan, const FileStamp& stamp, const PictureCache& pictures) {
+ReadPlant readScanOf(const fs::path& scan, const FileStamp& stamp, const PictureCache& pictures,
+                     const Progress& progress) {
   ReadPlant plant{.picture = pictures.find(scan, stamp)};
   if (!plant.picture.isNull()) return plant;
   try {
     const PointGlance glance = glanceAt(scan);
-    plant.picture = pictureOf(someOf(scan, glance), upOfGlance(glance), pictureSize);
+    plant.picture = pictureOf(someOf(scan, glance, progress), upOfGlance(glance), pictureSize);
     pictures.keep(scan, stamp, plant.picture);
   } catch (const std::exception& error) {
     plant.work.problem = messageOf(error);

@@ -54,9 +54,11 @@ struct PictureCache {
 /// @throws Cancelled if `progress` asks to stop
 [[nodiscard]] ReadPlant readProjectOf(const std::filesystem::path& project, const FileStamp& stamp,
                                       const PictureCache& pictures, const Progress& progress);
-/// The picture of a scan, from some of its points: it is not read whole.
+/// The picture of a scan, from some of its points. LAZ and E57 are unpacked for it, up to 5 million
+/// points; larger ones have none.
+/// @throws Cancelled if `progress` asks to stop
 [[nodiscard]] ReadPlant readScanOf(const std::filesystem::path& scan, const FileStamp& stamp,
-                                   const PictureCache& pictures);
+                                   const PictureCache& pictures, const Progress& progress);
 /// What a scan holds, by its hash: it is read whole.
 /// @throws Cancelled if `progress` asks to stop
 [[nodiscard]] KnownWork readHashOf(const std::filesystem::path& scan, const Progress& progress);

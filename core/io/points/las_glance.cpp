@@ -2,6 +2,7 @@
 #include "core/base/text.h"
 #include "core/io/bytes/scalar.h"
 #include "core/io/points/las_header.h"
+#include "core/io/points/las_points.h"
 #include "core/io/points/point_glances.h"
 #include "core/io/points/point_samples.h"
 
@@ -81,14 +82,15 @@ std::vector<GlanceColumn> columnsOfLas(const LasHeader& header) {
   return columns;
 }
 
+/// Those that are read: without what is flagged as withheld.
 void sampleLas(ByteSource& source, const LasHeader& header, PointGlance& glance) {
-  sampleRecords(source, header.pointStart, header.pointLength, header.count,
-                [&](const char* point) {
-                  const Eigen::Vector3d steps(valueAt<std::int32_t>(point),
-                                              valueAt<std::int32_t>(point + 4),
-                                              valueAt<std::int32_t>(point + 8));
-                  glance.sample.emplace_back(header.offset + header.scale.cwiseProduct(steps));
-                });
+  sampleRecords(
+      source, header.pointStart, header.pointLength, header.count, [&](const char* bytes) {
+        const LasPoint point = lasPointAt(bytes, header);
+        if (point.isWithheld) return;
+        const Eigen::Vector3d steps(point.position[0], point.position[1], point.position[2]);
+        glance.sample.emplace_back(header.offset + header.scale.cwiseProduct(steps));
+      });
 }
 
 } // namespace

@@ -32,7 +32,11 @@ void sampleRecords(ByteSource& source, std::uint64_t start, std::uint64_t record
       take(bytes.data() + at);
   };
   if (recordSize == 0 || count > source.size()) return;
-  if (count <= sampledRecords) return takeRun(0, count);
+  if (count <= sampledRecords) {
+    for (std::uint64_t first = 0; first < count; first += recordsPerRun) // records may be long
+      takeRun(first, std::min(recordsPerRun, count - first));
+    return;
+  }
   constexpr std::uint64_t runs = sampledRecords / recordsPerRun;
   for (std::uint64_t run = 0; run < runs; ++run)
     takeRun((count - recordsPerRun) / (runs - 1) * run, recordsPerRun);

@@ -46,7 +46,6 @@ TEST_F(ConsensusCommand, WritesWhatAStructureAndAProjectAgreeOn) {
   EXPECT_GT(json["plants"][1]["agreed"], json["plants"][0]["agreed"]);
 }
 
-// A shoot of a thousandth of the plant is one place all the same.
 TEST_F(ConsensusCommand, SaysHundredPercentOnlyOfAll) {
   Skeleton plant = test::fork(3);
   const NodeId tip = plant.ids().back();

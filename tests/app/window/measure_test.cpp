@@ -37,13 +37,16 @@ TEST_F(MeasureWindowTest, EnterTakesTheNodeThatIsSelected) {
   document().selection().set({forkRoot});
   EXPECT_TRUE(statusText().contains("Enter takes node")) << statusText().toStdString();
   key(Qt::Key_Return);
-  EXPECT_FALSE(action("accept").isEnabled()) << "it is measured from there already";
+  key(Qt::Key_Return);
+  EXPECT_TRUE(statusText().startsWith("Click the other end")) << "the same node again is none";
   document().selection().set({forkTop});
   key(Qt::Key_Return);
   EXPECT_TRUE(statusText().startsWith("straight 1.000\u202fm   along the plant 1.000\u202fm"))
       << statusText().toStdString();
+  key(Qt::Key_Return); // one too many
   EXPECT_EQ(document().undoStack().index(), 0);
   EXPECT_EQ(document().skeleton()[forkTop].review.state, ReviewState::toDo);
+  EXPECT_TRUE(action("mark_doubtful").isEnabled()) << "other marks stay at hand";
 }
 
 TEST_F(MeasureWindowTest, CtrlCCopiesIt) {

@@ -119,6 +119,24 @@ TEST_F(PanelKeysTest, NoRowIsCurrentUntilAKeyChoosesOne) {
   EXPECT_EQ(axes.currentIndex().row(), 0);
 }
 
+// Of which the node chosen last is not listed.
+TEST_F(PanelKeysTest, TheTableOfNodesKeepsTheSelectionAsTheKeyboardComes) {
+  openFork();
+  key(Qt::Key_F11);
+  document().selection().set({test::forkRoot, test::forkTop});
+  auto& table = find<QTableView>("node_table");
+  auto* model = table.selectionModel();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return model->selectedRows().size() == 2; }, patience));
+  table.setSelectionMode(QAbstractItemView::NoSelection);
+  table.setCurrentIndex({});
+  table.setSelectionMode(QAbstractItemView::ExtendedSelection);
+  ASSERT_EQ(model->selectedRows().size(), 2);
+  table.clearFocus();
+  table.setFocus(Qt::TabFocusReason);
+  ASSERT_TRUE(table.hasFocus());
+  EXPECT_EQ(document().selection().nodes().size(), 2U);
+}
+
 TEST_F(PanelKeysTest, EnterInAListAcceptsThePreview) {
   openFork();
   key(Qt::Key_F9);
@@ -139,18 +157,21 @@ TEST_F(PanelKeysTest, EnterInAListAcceptsThePreview) {
 TEST_F(PanelKeysTest, LettersChooseInAListOfChoicesThatTabLedTo) {
   openFork();
   document().selection().set({test::forkTop});
-  QComboBox* choices = nullptr;
-  for (QComboBox* each : window().findChildren<QComboBox*>())
-    if (takesKeys(*each) && !each->isEditable()) choices = each;
-  ASSERT_NE(choices, nullptr);
+  auto& up = find<QComboBox>("up"); // x, y, z
   const std::size_t before = document().skeleton().size();
-  choices->setFocus(Qt::TabFocusReason);
-  ASSERT_TRUE(choices->hasFocus());
-  press(*choices, Qt::Key_N);
+  up.setCurrentIndex(2);
+  up.setFocus(Qt::TabFocusReason);
+  ASSERT_TRUE(up.hasFocus());
+  press(up, Qt::Key_Y);
+  EXPECT_EQ(up.currentText(), "y");
+  press(up, Qt::Key_N);
   EXPECT_EQ(document().skeleton().size(), before) << "nothing is done to the plant";
-  choices->clearFocus();
-  choices->setFocus(Qt::MouseFocusReason);
-  press(*choices, Qt::Key_N);
+  up.clearFocus();
+  up.setFocus(Qt::MouseFocusReason);
+  up.showPopup();
+  up.hidePopup();
+  up.setFocus(Qt::PopupFocusReason);
+  press(up, Qt::Key_N);
   EXPECT_EQ(document().skeleton().size(), before + 1) << "after a click keys are the plant's";
 }
 

@@ -58,25 +58,34 @@ TEST_F(ProjectWindowTest, IsSavedUnderTheEndingByWhichProjectsAreKnown) {
 }
 
 TEST_F(ProjectWindowTest, SaysWhoseStepsAreRecordedInAProjectOfAnother) {
-  open({writeFork("fork.mtg")});
   const auto type = [this](const QString& name) {
     auto& reviewer = find<QLineEdit>("reviewer");
     reviewer.setText(name);
     emit reviewer.editingFinished();
   };
+  const auto add = [this] {
+    document().edit("Add", [](SkeletonEditor& editor) { editor.add({.radius = 0.5}); });
+  };
+  open({writeScan("anna.xyz")});
   type("Anna");
-  setRadius(0.3);
+  add();
   const QString file = saveProject("anna.espalier");
   type("Ben");
-  open({writeFork("other.mtg")});
+  open({writeScan("other.xyz")});
   open({file});
-  EXPECT_EQ(message(), "This project is by Anna: your steps will be recorded as by Ben");
+  const QString text = "This project is by Anna: your steps will be recorded as by Ben";
+  EXPECT_EQ(message(), text);
+  open({path("other.xyz")});
+  add();
+  open({file});
+  EXPECT_TRUE(message().startsWith(text + "\nYour work is kept: ")) << message().toStdString();
+  EXPECT_EQ(find<QPushButton>("banner_other_action").text(), "Go Back to It");
   clickButton("banner_action");
-  setRadius(0.4);
+  add();
   EXPECT_EQ(onDisk(file).steps.back().author, "Anna");
-  open({writeFork("third.mtg")});
+  open({writeScan("third.xyz")});
   open({file});
-  EXPECT_FALSE(window().banner().isVisible()) << message().toStdString();
+  EXPECT_FALSE(message().contains("recorded") && window().banner().isVisible());
 }
 
 TEST_F(ProjectWindowTest, SaysThatEverythingIsSavedOnSave) {

@@ -106,6 +106,7 @@ TEST_F(TourTest, LeavesMessagesInSight) {
   const auto placeOf = [](const QWidget& widget) {
     return QRect(widget.mapToGlobal(QPoint()), widget.size());
   };
+  ASSERT_TRUE(hint().isVisible() && window().banner().isVisible());
   EXPECT_FALSE(placeOf(window().banner()).intersects(placeOf(hint())));
 }
 

@@ -77,13 +77,28 @@ TEST(GlanceAt, TellsStationsAndWhatIsLeftOut) {
   EXPECT_FALSE(takes(glanceAt(glanceFile("a.las", test::lasFile({.format = 1}))), "gps_time"));
 }
 
-TEST(GlanceAt, SeesSomePointsOfLas) {
-  const fs::path path = glanceFile("a.las", test::lasFile({.format = 1}));
+TEST(GlanceAt, SeesThePointsOfLasThatAreRead) {
+  for (const test::LasSample& sample :
+       {test::LasSample{.format = 1}, test::LasSample{.points = 50, .withheld = 7},
+        test::LasSample{.minorVersion = 4, .format = 6, .points = 9, .extraBytes = 300}}) {
+    const fs::path path = glanceFile("a.las", test::lasFile(sample));
+    const PointGlance glance = glanceAt(path);
+    const PointCloud cloud = readPoints(path).value;
+    ASSERT_EQ(glance.sample.size(), static_cast<std::size_t>(cloud.size()));
+    for (Eigen::Index i = 0; i < cloud.size(); ++i)
+      EXPECT_LT((glance.sample[static_cast<std::size_t>(i)] - cloud.position(i)).norm(), 1e-3);
+  }
+}
+
+TEST(GlanceAt, SeesSomePointsOfMuchLas) {
+  const fs::path path = glanceFile("a.las", test::lasFile({.points = 40'000}));
   const PointGlance glance = glanceAt(path);
-  const PointCloud cloud = readPoints(path).value;
-  ASSERT_EQ(glance.sample.size(), static_cast<std::size_t>(cloud.size()));
-  for (Eigen::Index i = 0; i < cloud.size(); ++i)
-    EXPECT_LT((glance.sample[static_cast<std::size_t>(i)] - cloud.position(i)).norm(), 1e-3);
+  EXPECT_EQ(glance.points, 40'000U);
+  EXPECT_GT(glance.sample.size(), 10'000U);
+  EXPECT_LT(glance.sample.size(), 20'000U);
+  EXPECT_GT(glance.sample.back().z(), 100 + 100) << "also of its end"; // 3 mm apart
+  fs::resize_file(path, fs::file_size(path) / 2);
+  EXPECT_GT(glanceAt(path).sample.size(), 5000U) << "what is there";
 }
 
 TEST(GlanceAt, GuessesUnitAndAxisWithAReason) {

@@ -247,10 +247,7 @@ void ProjectFlow::offerSessions() {
   const bool isAny = document.isEmpty() && !isWithoutPositions(document.structure());
   const auto found = std::ranges::find_if(
       waiting, [&](const Session& session) { return isAny || isOfThePlant(session); });
-  if (found == waiting.end()) {
-    if (const auto kept = keptNotice()) emit reported(*kept);
-    return;
-  }
+  if (found == waiting.end()) return offerToGoBack({});
   const QString path = found->path;
   const QString text = isAny ? tr("Continue with %1") : tr("Work on this plant was kept: %1");
   emit reported({.text = text.arg(describe(*found, QDateTime::currentDateTime())),
@@ -261,13 +258,17 @@ void ProjectFlow::offerSessions() {
                               }}}});
 }
 
-std::optional<Notice> ProjectFlow::keptNotice() {
+void ProjectFlow::offerToGoBack(const std::optional<Notice>& beside) {
+  Notice notice = beside.value_or(Notice());
   const QList<Session> waiting = sessions_.waiting();
   const auto left = std::ranges::find(waiting, std::exchange(left_, {}), &Session::path);
-  if (left == waiting.end()) return std::nullopt;
-  return Notice{
-      .text = tr("Your work is kept: %1").arg(describe(*left, QDateTime::currentDateTime())),
-      .actions = {{tr("Go Back to It"), [this, path = left->path] { emit chosen(path); }}}};
+  if (left != waiting.end()) {
+    if (beside) notice.text += '\n';
+    notice.text += tr("Your work is kept: %1").arg(describe(*left, QDateTime::currentDateTime()));
+    notice.actions.push_back(
+        {tr("Go Back to It"), [this, path = left->path] { emit chosen(path); }});
+  }
+  if (!notice.text.isEmpty()) emit reported(notice);
 }
 
 bool ProjectFlow::isOfThePlant(const Session& session) const {
@@ -326,15 +327,8 @@ void ProjectFlow::show(LoadedProject loaded, As as) {
          .isError = true,
          .actions = {{tr("Find Scan…"), [this] { askForScan(); }}}});
   if (!loaded.notes.isEmpty()) reportFailure(loaded.notes.join('\n'));
-  if (isScanMissing || !loaded.notes.isEmpty()) return;
-  std::optional<Notice> notice;
-  if (as == As::itself && !isSession) notice = authorNotice();
-  if (auto kept = keptNotice()) {
-    if (notice) kept->text = notice->text + "\n" + kept->text;
-    if (notice) kept->actions.insert(kept->actions.begin(), notice->actions.front());
-    notice = std::move(kept);
-  }
-  if (notice) emit reported(*notice);
+  const bool isAlone = !isScanMissing && loaded.notes.isEmpty(); // or it would hide these
+  if (isAlone) offerToGoBack(as == As::itself && !isSession ? authorNotice() : std::nullopt);
 }
 
 /// Who made the last step, if none is by the one that further steps are recorded of; else empty.

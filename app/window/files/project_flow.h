@@ -139,7 +139,8 @@ private:
   void finishKeeping();
   void reportFailure(const QString& message);
   [[nodiscard]] bool isOfThePlant(const Session& session) const;
-  [[nodiscard]] std::optional<Notice> keptNotice(); // on what was left last, if it is kept
+  /// To what was left last, if it is kept, in one message with what else is to be said.
+  void offerToGoBack(const std::optional<Notice>& beside);
   [[nodiscard]] QString otherAuthor() const;
   [[nodiscard]] std::optional<Notice> authorNotice();
 

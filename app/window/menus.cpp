@@ -2,6 +2,7 @@
 // the window say (ActionSet).
 #include "app/window/frame/action_set.h"
 #include "app/window/frame/icon.h"
+#include "app/window/frame/menu_letters.h"
 #include "app/window/main_window.h"
 #include "ui/tools/registry.h"
 
@@ -143,6 +144,7 @@ void fill(QMenu& menu, const ActionSet& actions, const std::vector<Place>& place
     else
       actions.fill(menu, place.id);
   }
+  giveLetters(menu);
 }
 
 /// Adds actions by id; an empty id is a separator.

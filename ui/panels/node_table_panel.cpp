@@ -67,12 +67,13 @@ QString NodeTablePanel::table() const {
   return model_->tableOf(nodes);
 }
 
-/// Enter in the table changes a cell; elsewhere it marks what is selected as reviewed.
+/// Enter and F2 in the table change a cell, as in tables of other programs; elsewhere they are
+/// commands.
 bool NodeTablePanel::eventFilter(QObject* watched, QEvent* event) {
   const bool isOverride = event->type() == QEvent::ShortcutOverride;
   if (watched == table_ && (isOverride || event->type() == QEvent::KeyPress)) {
     const int key = static_cast<const QKeyEvent*>(event)->key();
-    if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+    if (key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_F2) {
       const QModelIndex current = table_->currentIndex();
       if (isOverride)
         event->accept();

@@ -3,6 +3,7 @@
 #include "app/window/evaluate/reference_flow.h"
 #include "app/window/files/project_flow.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/frame/menu_letters.h"
 #include "core/base/error.h"
 #include "core/project/corrections.h"
 #include "ui/document/plant_document.h"
@@ -144,8 +145,8 @@ void VersionsFlow::fillRemoval(QMenu& menu) {
   menu.clear();
   for (const PlantVersion& version : std::views::reverse(parts_.projects.versions())) {
     const QString name = QString::fromStdString(version.name);
-    QString text = withMaker(name, version.author, version.time);
-    menu.addAction(text.replace('&', QStringLiteral("&&")), this, [this, name] {
+    const QString text = entryText(withMaker(name, version.author, version.time));
+    menu.addAction(text, this, [this, name] {
       parts_.actions.guarded(
           [&] {
             remove(name);

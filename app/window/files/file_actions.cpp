@@ -2,6 +2,7 @@
 #include "app/window/files/file_flow.h"
 #include "app/window/files/recent_files.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/frame/menu_letters.h"
 #include "core/mtg/mtg_of_skeleton.h"
 #include "ui/document/plant_document.h"
 
@@ -123,7 +124,7 @@ void FileFlow::refreshProject() {
 void FileFlow::fillRecent(QMenu& menu) {
   menu.clear();
   for (const QString& path : parts_.recent.paths())
-    menu.addAction(QDir::toNativeSeparators(path), this, [this, path] {
+    menu.addAction(entryText(QDir::toNativeSeparators(path)), this, [this, path] {
       parts_.actions.guarded(
           [&] {
             open({path});

@@ -2,6 +2,7 @@
 
 #include "app/window/files/load_files.h"
 #include "app/window/frame/action_set.h"
+#include "app/window/frame/menu_letters.h"
 #include "app/window/preview/options_text.h"
 #include "core/base/error.h"
 #include "core/base/open_for_reading.h"
@@ -68,12 +69,10 @@ void PresetFlow::fill(QMenu& menu) {
     menu.addAction(parts_.actions[idOf(preset)]);
   const std::vector<Own> kept = own();
   for (const Own& each : kept)
-    menu.addAction(tr("Settings: %1").arg(QString(each.name).replace('&', "&&")), this,
-                   [this, each] {
-                     std::istringstream in(each.text);
-                     take(readPreset(in, each.name.toStdString(), metersIn(parts_.document.unit())),
-                          each.name);
-                   });
+    menu.addAction(tr("Settings: %1").arg(entryText(each.name)), this, [this, each] {
+      std::istringstream in(each.text);
+      take(readPreset(in, each.name.toStdString(), metersIn(parts_.document.unit())), each.name);
+    });
   menu.addSeparator();
   for (const char* id : {"keep_preset", "open_preset", "save_preset"})
     menu.addAction(parts_.actions[id]);
@@ -81,8 +80,7 @@ void PresetFlow::fill(QMenu& menu) {
   menu.addSeparator();
   QMenu* removal = menu.addMenu(tr("Forget"));
   for (const Own& each : kept)
-    removal->addAction(QString(each.name).replace('&', "&&"), this,
-                       [this, name = each.name] { forget(name); });
+    removal->addAction(entryText(each.name), this, [this, name = each.name] { forget(name); });
 }
 
 std::vector<PresetFlow::Own> PresetFlow::own() const {

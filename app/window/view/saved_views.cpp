@@ -1,6 +1,7 @@
 #include "app/window/view/saved_views.h"
 
 #include "app/window/frame/action_set.h"
+#include "app/window/frame/menu_letters.h"
 #include "app/window/view/shown_flow.h"
 #include "app/window/view/view_options.h"
 #include "ui/view/plant_view.h"
@@ -32,11 +33,11 @@ void SavedViews::fill(QMenu& menu) {
   if (options_.savedViews().empty()) return;
   menu.addSeparator();
   for (const SavedView& saved : options_.savedViews())
-    menu.addAction(saved.name, this, [this, saved] { show(saved); });
+    menu.addAction(entryText(saved.name), this, [this, saved] { show(saved); });
   menu.addSeparator();
   QMenu* removal = menu.addMenu(tr("Remove"));
   for (const SavedView& saved : options_.savedViews())
-    removal->addAction(saved.name, this, [this, name = saved.name] { remove(name); });
+    removal->addAction(entryText(saved.name), this, [this, name = saved.name] { remove(name); });
 }
 
 void SavedViews::save() {

@@ -1,5 +1,6 @@
 // All commands of the window: where they are found, and where they are described.
 #include "app/window/frame/action_set.h"
+#include "tests/app/window/read_entry.h"
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/manual.h"
 #include "tests/support/plants.h"
@@ -60,7 +61,7 @@ TEST_F(MainWindowTest, OffersTheEditsOfANodeInItsMenu) {
     auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
     if (menu == nullptr) return;
     for (const QAction* entry : menu->actions())
-      texts.append(entry->text());
+      texts.append(test::asRead(entry));
     menu->close();
   });
   timer.start(0);

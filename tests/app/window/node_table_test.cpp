@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
 #include <QTranslator>
@@ -224,6 +225,24 @@ TEST_F(NodeTableWindowTest, ARadiusIsTypedInPlaceAsOneStep) {
   EXPECT_EQ(cell(forkTop, NodeColumn::radius).data(), "0.25000");
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_NEAR(document().skeleton()[forkTop].radius, 0.1, 1e-9);
+}
+
+TEST_F(NodeTableWindowTest, F2AndEnterChangeACell) {
+  open({writeScan("scan.xyz")}); // of which one can be asked
+  openTable();
+  QSignalSpy asked(&action("ask_doubts"), &QAction::triggered);
+  for (const Qt::Key key : {Qt::Key_F2, Qt::Key_Return}) {
+    table().setFocus();
+    table().setCurrentIndex(cell(forkTop, NodeColumn::radius));
+    QTest::keyClick(&table(), key);
+    auto* field = table().viewport()->findChild<QLineEdit*>();
+    ASSERT_NE(field, nullptr);
+    QTest::keyClick(field, Qt::Key_Escape);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    ASSERT_EQ(table().viewport()->findChild<QLineEdit*>(), nullptr);
+  }
+  EXPECT_TRUE(action("ask_doubts").isEnabled());
+  EXPECT_EQ(asked.count(), 0);
 }
 
 TEST_F(NodeTableWindowTest, WhatIsNoRadiusIsReportedAndChangesNothing) {

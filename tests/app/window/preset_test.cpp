@@ -1,6 +1,7 @@
 #include "core/pipeline/preset.h"
 #include "core/pipeline/presets.h"
 #include "tests/app/window/project_fixture.h"
+#include "tests/app/window/read_entry.h"
 #include "ui/panels/message_banner.h"
 #include "ui/panels/pipeline_panel.h"
 
@@ -82,15 +83,15 @@ TEST_F(PresetTest, IsKeptUnderANameUntilItIsForgotten) {
     QList<QAction*> all = menu.actions();
     for (const QMenu* part : menu.findChildren<QMenu*>())
       all.append(part->actions());
-    const auto found = std::ranges::find(all, text, &QAction::text);
+    const auto found = std::ranges::find(all, text, test::asRead);
     if (found == all.end()) return false;
     (*found)->trigger();
     return true;
   };
-  EXPECT_TRUE(chosen("Settings: Apple && pear"));
+  EXPECT_TRUE(chosen("Settings: Apple & pear"));
   EXPECT_EQ(shown(), presetNamed("thesis")->options);
-  EXPECT_TRUE(chosen("Apple && pear")) << "in the menu Forget";
-  EXPECT_FALSE(chosen("Settings: Apple && pear"));
+  EXPECT_TRUE(chosen("Apple & pear")) << "in the menu Forget";
+  EXPECT_FALSE(chosen("Settings: Apple & pear"));
 }
 
 TEST_F(PresetTest, AFileThatIsNoneChangesNothing) {

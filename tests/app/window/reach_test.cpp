@@ -1,5 +1,6 @@
 // Whether all of the window can be reached by the keyboard, is named to a screen reader, and has a
 // menu of its own.
+#include "tests/app/window/read_entry.h"
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/plants.h"
 #include "ui/panels/message_banner.h"
@@ -8,6 +9,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QMenu>
+#include <QMenuBar>
 #include <QScrollArea>
 #include <QTest>
 #include <QTimer>
@@ -54,7 +56,7 @@ struct ReachTest : test::WindowTest {
       auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
       if (menu == nullptr) return;
       for (const QAction* entry : menu->actions())
-        texts.append(entry->text());
+        texts.append(test::asRead(entry));
       menu->close();
     });
     timer.start(0);
@@ -62,6 +64,33 @@ struct ReachTest : test::WindowTest {
     return texts;
   }
 };
+
+/// The entries of a menu that is about to be shown, and of those within, that have a letter that
+/// another has, too, or none, where the menu is short enough that words have letters for all.
+QStringList withoutOwnLetter(QMenu& menu) {
+  emit menu.aboutToShow();
+  QStringList found, none;
+  std::set<QChar> letters;
+  for (const QAction* entry : menu.actions()) {
+    if (entry->isSeparator() || !entry->isVisible() || entry->inherits("QWidgetAction")) continue;
+    const qsizetype mark = entry->text().indexOf('&');
+    if (mark < 0)
+      none.append(menu.title() + " / " + entry->text());
+    else if (!letters.insert(entry->text()[mark + 1].toUpper()).second)
+      found.append(menu.title() + " / " + entry->text());
+    if (entry->menu() != nullptr) found.append(withoutOwnLetter(*entry->menu()));
+  }
+  const bool isLong = letters.size() > 20; // of 26, and some are in few words
+  return isLong ? found : found + none;
+}
+
+TEST_F(ReachTest, EachEntryOfAMenuHasALetterOfItsOwn) {
+  openWithAllPanels();
+  QStringList found;
+  for (const QAction* title : window().menuBar()->actions())
+    found.append(withoutOwnLetter(*title->menu()));
+  EXPECT_EQ(found.join("\n").toStdString(), "");
+}
 
 TEST_F(ReachTest, EverythingWithTheKeyboardHasAName) {
   openWithAllPanels();
@@ -102,7 +131,7 @@ TEST_F(ReachTest, TheMenuOfAPointHasItsPlaceOnTop) {
   EXPECT_TRUE(texts.value(0).startsWith("Point at ")) << texts.value(0).toStdString();
   EXPECT_TRUE(texts.value(0).endsWith(" m"));
   EXPECT_THAT(texts, Contains(QString("Turn Around This")));
-  EXPECT_THAT(texts, Contains(action("hide_explained").text()));
+  EXPECT_THAT(texts, Contains(test::asRead(&action("hide_explained"))));
 }
 
 TEST_F(ReachTest, TheMenuOfEmptySpaceSaysSo) {
@@ -110,7 +139,7 @@ TEST_F(ReachTest, TheMenuOfEmptySpaceSaysSo) {
   const QPoint corner(5, view().height() / 2);
   QStringList texts = menuAt(corner);
   EXPECT_EQ(texts.value(0), "Empty space");
-  EXPECT_THAT(texts, Contains(action("frame_all").text()));
+  EXPECT_THAT(texts, Contains(test::asRead(&action("frame_all"))));
   EXPECT_THAT(texts, Not(Contains(QString("Turn Around This")))) << "there is nothing there";
   EXPECT_THAT(texts, Not(Contains(QString("Remove Node"))));
   document().selection().set({test::forkTop});

@@ -1,3 +1,4 @@
+#include "tests/app/window/read_entry.h"
 #include "tests/app/window/window_fixture.h"
 #include "tests/support/clouds.h"
 #include "tests/support/plants.h"
@@ -235,7 +236,7 @@ TEST_F(ShownTest, ComesBackToASavedView) {
   key(Qt::Key_5);
   waitForView();
   for (QAction* entry : savedViews().actions())
-    if (entry->text() == "Crown") entry->trigger();
+    if (test::asRead(entry) == "Crown") entry->trigger();
   waitForView();
   EXPECT_NEAR(view().camera().pitch, camera.pitch, 1e-12);
   EXPECT_EQ(view().clip().slab, (Clip::Slab{0, 0.9}));
@@ -247,7 +248,7 @@ TEST_F(ShownTest, ProposesANameAndRemovesAView) {
   const auto names = [&] {
     QStringList texts;
     for (const QAction* entry : savedViews().actions())
-      texts.append(entry->text());
+      texts.append(test::asRead(entry));
     return texts;
   };
   EXPECT_TRUE(names().contains("View 1"));

@@ -79,8 +79,8 @@ Method asNeededMethod() {
             &Options::thickness);
   return {.name = "as_needed",
           .label = Shown::tr("As needed"),
-          .help = Shown::tr("Where the wood is many point spacings thick, keeps as many points as "
-                            "give the skeleton of which the most is probably right."),
+          .help = Shown::tr("Where points are so dense that needles, or the insides of stems and "
+                            "leaves, would become branches, keeps fewer of them."),
           .source = {},
           .options = table.descriptions(),
           .seesRoot = false,

@@ -12291,10 +12291,6 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
         <translation>Selon le besoin</translation>
     </message>
     <message>
-        <source>Where the wood is many point spacings thick, keeps as many points as give the skeleton of which the most is probably right.</source>
-        <translation>Là où le bois a une épaisseur de nombreux espacements, garde autant de points qu’il en faut pour le squelette dont la plus grande part est probablement juste.</translation>
-    </message>
-    <message>
         <source>branching angle, order %1</source>
         <translation>angle de ramification, ordre %1</translation>
     </message>
@@ -15441,6 +15437,10 @@ Marqués en bloc&#xa0;: %1 nœuds sur %2.</translation>
     <message>
         <source>there is no column %1: name the columns in the first line, as %2</source>
         <translation>il n’y a pas de colonne %1&#xa0;: nommez les colonnes dans la première ligne, comme %2</translation>
+    </message>
+    <message>
+        <source>Where points are so dense that needles, or the insides of stems and leaves, would become branches, keeps fewer of them.</source>
+        <translation>Là où les points sont si denses que des aiguilles, ou l’intérieur des tiges et des feuilles, deviendraient des branches, en garde moins.</translation>
     </message>
 </context>
 <context>

@@ -1,9 +1,9 @@
 // What each method reaches on simulated scans, a row each: the presets first, then every other
 // method with all else as it is by default.
 //
-//   espalier_accuracy [--plants grown|structures|all|grid|any|noisy|organs] [--first NUMBER]
-//   [--seeds N]
-//                     [--foliage DENSITY] [--worst] [--radii] [ROW ...]
+//   espalier_accuracy [--plants grown|structures|all|grid|any|dense|noisy|organs]
+//                     [--first NUMBER] [--seeds N] [--foliage DENSITY] [--worst] [--radii]
+//                     [ROW ...]
 //
 // A ROW is NAME:STEP.OPTION=VALUE,...; "6 spacings" is a length in point spacings; what it leaves
 // out is as the preset of that name has it, else as by default. With rows,
@@ -13,7 +13,8 @@
 // grown plants: each at three densities (points a segment), with three noises (in extents), bare
 // and with foliage. "any" is 14 N plants of any kind, scanned in any way (simulated_scans.h), which
 // espalier_fit_odds has not seen; a row each for sparse, middle and dense scans, bare, with
-// foliage, and of herbs with large leaves. "noisy" is 14 N of the same kinds, scanned densely with
+// foliage, and of herbs with large leaves. "dense" is 14 N of the same kinds, scanned more densely,
+// in the same rows. "noisy" is 14 N of the same kinds, scanned densely with
 // wide noise; a row each by how far their points are measured to scatter. "organs" is 11 N plants
 // that espalier_fit_organs has not seen (organ_scans.h); a row each for their kinds. --first takes
 // other plants and scans, from this number on, 1, and of "organs" 1001, if it is not said: what is
@@ -273,9 +274,10 @@ void printGrid(const std::vector<Row>& rows, const Choice& choice, const Details
 }
 
 std::string cellByDensity(const ScannedPlant& plant) {
-  return std::string(plant.pointsPerSegment < 60    ? "1 sparse"
-                     : plant.pointsPerSegment < 300 ? "2 middle"
-                                                    : "3 dense") +
+  return std::string(plant.pointsPerSegment < 60     ? "1 sparse"
+                     : plant.pointsPerSegment < 300  ? "2 middle"
+                     : plant.pointsPerSegment < 1000 ? "3 dense"
+                                                     : "4 very dense") +
          (plant.isLeafy       ? ", leaves"
           : plant.foliage > 0 ? ", foliage"
                               : ", bare");
@@ -294,7 +296,9 @@ void printAny(const std::vector<Row>& rows, const Choice& choice, const Details&
   std::map<std::string, std::vector<Plant>> cells;
   for (std::uint64_t i = 0; i < 14 * static_cast<std::uint64_t>(choice.seeds); ++i) {
     const std::uint64_t number = unseen + choice.first + i;
-    ScannedPlant plant = isNoisy ? noisyPlant(number) : scannedPlant(number);
+    ScannedPlant plant = isNoisy                    ? noisyPlant(number)
+                         : choice.plants == "dense" ? densePlant(number)
+                                                    : scannedPlant(number);
     const std::string cell = isNoisy ? cellByScatter(plant) : cellByDensity(plant);
     cells[cell].push_back({plant.name, std::move(plant.truth), std::move(plant.cloud)});
   }
@@ -348,7 +352,7 @@ void run(const std::vector<std::string>& arguments) {
     printGrid(rows, choice, details);
     return;
   }
-  if (choice.plants == "any" || choice.plants == "noisy") {
+  if (choice.plants == "any" || choice.plants == "dense" || choice.plants == "noisy") {
     printAny(rows, choice, details);
     return;
   }

@@ -133,6 +133,11 @@ ScannedPlant scannedPlant(std::uint64_t number) {
                     {.fewest = 8, .most = 600, .mostOfHerbs = 10'000, .mostPoints = 300'000});
 }
 
+ScannedPlant densePlant(std::uint64_t number) {
+  return drawnPlant(number,
+                    {.fewest = 400, .most = 8000, .mostOfHerbs = 40'000, .mostPoints = 250'000});
+}
+
 ScannedPlant noisyPlant(std::uint64_t number) {
   return drawnPlant(
       number,

@@ -2,6 +2,7 @@
 #include "core/pipeline/needed_points.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/pipeline_start.h"
+#include "core/simulate/laser_scanner.h"
 #include "core/simulate/plant_grower.h"
 #include "tests/support/cloud_of.h"
 #include "tests/support/clouds.h"
@@ -41,6 +42,24 @@ const std::shared_ptr<const PointCloud>& denseGrass() {
   return cloud;
 }
 
+/// A conifer in needles of many points each, of a seed that nothing was fitted on.
+struct DenseConifer {
+  Skeleton plant;
+  std::shared_ptr<const PointCloud> cloud;
+};
+
+/// @param noise [L], of ranges
+DenseConifer denseConifer(std::uint64_t seed, int segments, double noise) {
+  DenseConifer made{
+      growPlant({.architecture = Architecture::conifer, .height = 4, .segments = segments}, seed),
+      nullptr};
+  ScannerOptions scanner{.points = 5000 * segments, .stations = 2};
+  scanner.rangeNoise = noise;
+  scanner.foliage = foliageOf(Architecture::conifer, 1.4);
+  made.cloud = std::make_shared<const PointCloud>(scan(made.plant, scanner, seed).points);
+  return made;
+}
+
 PipelineOptions withoutThinning() {
   PipelineOptions options;
   options.set("thin.method=none");
@@ -62,6 +81,22 @@ TEST(NeededPoints, FindWideLeavesAsOneAxisEach) {
   EXPECT_GT(tipsOf(*all.skeleton), 15U);
   EXPECT_LE(tipsOf(*some.skeleton), 9U);
   EXPECT_GE(tipsOf(*some.skeleton), 4U);
+}
+
+TEST(NeededPoints, DoNotMakeTwigsOfNeedles) {
+  const DenseConifer conifer = denseConifer(90'022, 60, 0);
+  const Reconstruction all = Pipeline().run(conifer.cloud, withoutThinning());
+  const Reconstruction some = Pipeline().run(conifer.cloud);
+  const std::size_t tips = tipsOf(conifer.plant);
+  EXPECT_GT(tipsOf(*all.skeleton), 3 * tips);
+  EXPECT_LT(tipsOf(*some.skeleton), 3 * tips / 2);
+  EXPECT_GT(tipsOf(*some.skeleton), tips / 2);
+}
+
+TEST(NeededPoints, AreEnoughForThePlantWhereItsThicknessCannotBeMeasured) {
+  const DenseConifer conifer = denseConifer(90'023, 24, 0.02);
+  const Reconstruction found = Pipeline().run(conifer.cloud);
+  EXPECT_GT(tipsOf(*found.skeleton), tipsOf(conifer.plant) / 4);
 }
 
 TEST(NeededPoints, AreAllWhereTheWoodIsThin) {

@@ -155,32 +155,25 @@ std::vector<MissingBranch> missingBranches(const Skeleton& skeleton, const Doubt
     if (end.evidence.length > evidence.length) evidence = end.evidence;
   }
   std::erase_if(missing, [](const MissingBranch& one) { return one.evidence.length == 0; });
+  const std::vector<NodeId> nodes = skeleton.ids();
+  const auto tips = static_cast<double>(
+      std::ranges::count_if(nodes, [&](NodeId id) { return skeleton.children(id).empty(); }));
+  for (MissingBranch& one : missing) {
+    one.share = static_cast<double>(missing.size()) / tips;
+    one.ends = tips;
+  }
   progress.update(1);
   return missing;
 }
 
-std::array<double, 11> featuresOf(const MissingBranch& missing) {
-  std::array<double, 11> features{};
-  std::ranges::copy(featuresOf(missing.evidence), features.begin());
-  features.back() = std::log(missing.gap + 1);
+std::array<double, 15> featuresOf(const MissingBranch& missing) {
+  std::array<double, 15> features{};
+  auto next = std::ranges::copy(featuresOf(missing.evidence), features.begin()).out;
+  const AllEnds& all = missing.evidence.all;
+  for (const double feature : {std::log(missing.gap + 1), std::log(missing.share),
+                               std::log(missing.ends), all.alone, all.aloneSpread})
+    *next++ = feature;
   return features;
-}
-
-const MissingOdds& fittedMissingOdds() {
-  // espalier_fit_missing of 120 plants. On 60 others the expected calibration error is 0.088: of
-  // branches said to be .25 sure, .12 are there.
-  static constexpr MissingOdds odds{
-      .constant = 0.6339,
-      .weights = {0.6375, -0.7206, 0.2499, 1.0174, 1.2420, 0.2237, -0.3150, 0.7257, -2.1824, 0.0366,
-                  -0.0315},
-      .squareWeights = {-0.1338, -0.4909, 0.3257, -0.2072, -2.0228, -0.0447, 0.0779, 0.9068, 0.1642,
-                        -0.1206, -0.5190},
-      .least = {2.0273, -3.1160, 0.0894, -0.4223, 0.0030, -0.7103, -0.7346, -0.8398, -0.3946,
-                -4.6635, 1.2614},
-      .most = {5.0272, -0.0086, 3.1362, 2.1458, 0.9750, 2.3797, 2.5754, 0.9993, 1.3068, -1.3811,
-               3.0345},
-  };
-  return odds;
 }
 
 double probabilityOfWood(const MissingBranch& missing, const MissingOdds& odds) {

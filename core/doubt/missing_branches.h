@@ -16,6 +16,8 @@ struct MissingBranch {
   GrownBranch branch;
   EndEvidence evidence; // as of an end of the plant, if it were added with all others
   double gap = 0;       // spacings from the surface of what would bear it to its first new node
+  double share = 0;     // branches that may be missing, by ends of the plant
+  double ends = 0;      // of the plant
 };
 
 /// A branch traced along each cluster of points that have no wood, attached as it may have grown.
@@ -28,11 +30,12 @@ struct MissingBranch {
                                                          const DoubtSources& sources,
                                                          const Progress& progress = {});
 
-/// What the probability of a missing branch follows from.
-[[nodiscard]] std::array<double, 11> featuresOf(const MissingBranch& missing);
+/// What the probability of a missing branch follows from: what an end's does, where it would begin,
+/// how many there are, and what all ends of the plant are like.
+[[nodiscard]] std::array<double, 15> featuresOf(const MissingBranch& missing);
 
-/// Whose value is the logarithm of the odds, as EndOdds.
-using MissingOdds = Quadratic<11>;
+/// Whose value is the logarithm of the odds, as OddsAmongAll.
+using MissingOdds = WholeQuadratic<15>;
 
 /// The odds that are fitted: by espalier_fit_missing (tests/bench/fit_missing.cpp) on simulated
 /// scans.

@@ -42,8 +42,6 @@ const std::map<std::pair<std::string, std::string>, std::string> exceptions = {
      "a function beside it and the fit of the odds call it"},
     {{"core/doubt/missing_branches.h", "featuresOf"},
      "a function beside it and the fit of the odds call it"},
-    {{"core/doubt/missing_branches.h", "fittedMissingOdds"},
-     "odds that a function beside it has unless it is given others"},
     {{"core/doubt/finding_gain.h", "woodOf"},
      "a function beside it and the measure of the chances call it"},
     {{"core/radius/radius_evidence.h", "featuresOf"},

@@ -20,9 +20,8 @@ struct FitCounts {
   }
 };
 
-/// As `--plants N --others M` say.
-[[nodiscard]] inline FitCounts fitCounts(int argc, char** argv) {
-  FitCounts counts;
+/// As `--plants N --others M` say, or else as `counts` are.
+[[nodiscard]] inline FitCounts fitCounts(int argc, char** argv, FitCounts counts = {}) {
   for (int i = 1; i + 1 < argc; i += 2)
     (std::string(argv[i]) == "--plants" ? counts.plants : counts.others) = std::atoi(argv[i + 1]);
   return counts;

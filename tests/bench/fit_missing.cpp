@@ -1,17 +1,17 @@
-// Fits the odds of branches that are missing, the numbers in core/doubt/missing_branches.cpp, on
+// Fits the odds of branches that are missing, the numbers in core/doubt/fitted_missing_odds.cpp, on
 // simulated scans, and shows on others how often there is wood where the odds say so.
 //
 //   espalier_fit_missing [--plants N] [--others M]
 //
-// N plants, 120 if it is not said, are fitted on, the next M, 60, are judged by. There is wood if
-// who has the truth says so (core/doubt/oracle.h), three spacings being near. Each plant weighs as
-// the root of its branches.
+// N plants (fit_plants.h), 300 if it is not said, are fitted on, the next M, 150, are judged by.
+// There is wood if who has the truth says so (core/doubt/oracle.h), three spacings being near. Each
+// plant weighs as the root of its branches.
 #include "core/doubt/missing_branches.h"
 #include "core/doubt/oracle.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/bench/fit_main.h"
+#include "tests/bench/fit_plants.h"
 #include "tests/bench/fitted_quadratic.h"
-#include "tests/bench/simulated_scans.h"
 
 #include <array>
 #include <cmath>
@@ -21,10 +21,10 @@
 namespace espalier {
 namespace {
 
-using Example = LabelledFeatures<11>;
+using Example = LabelledFeatures<15>;
 
 std::vector<Example> examplesOf(std::uint64_t number) {
-  const ScannedPlant plant = scannedPlant(number);
+  const ScannedPlant plant = plantForFit(number);
   const Reconstruction found = Pipeline().run(plant.cloud);
   const Skeleton& skeleton = *found.skeleton;
   const SpatialIndex index(plant.cloud->positions());
@@ -69,7 +69,7 @@ void printReliability(const std::vector<Example>& examples, const MissingOdds& o
 
 int fitMissing(const FitCounts& counts) {
   const std::vector<Example> examples = ofPlants(1, counts.lastFitted(), examplesOf);
-  const MissingOdds odds = fittedQuadratic(examples);
+  const MissingOdds odds = fittedWholeQuadratic(examples);
   std::printf("%zu branches\n", examples.size());
   printQuadratic(odds);
   printReliability(examples, odds);
@@ -82,5 +82,5 @@ int fitMissing(const FitCounts& counts) {
 } // namespace espalier
 
 int main(int argc, char** argv) {
-  return espalier::fitMissing(espalier::fitCounts(argc, argv));
+  return espalier::fitMissing(espalier::fitCounts(argc, argv, {.plants = 300, .others = 150}));
 }

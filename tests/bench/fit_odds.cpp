@@ -7,11 +7,11 @@
 //
 // Without --alone the odds of an end among all ends of its plant, with it those of an end by
 // itself. N plants, 540 if it is not said and 180 of --alone, are fitted on, the next M, 180 and
-// 90, are judged by; every third shows leaves or needles of its kind (organ_scans.h), the others
-// are of any kind. An end is labelled a shoot if the measure of the method's authors matches its
-// segment to one of the truth. Examples are the ends of skeletons before any are taken away, and in
-// later rounds (3) also those that are there after they were taken away by the odds of the round
-// before: what is asked in between. Each plant weighs as the root of its examples.
+// 90, are judged by (fit_plants.h). An end is labelled a shoot if the measure of the method's
+// authors matches its segment to one of the truth. Examples are the ends of skeletons before any
+// are taken away, and in later rounds (3) also those that are there after they were taken away by
+// the odds of the round before: what is asked in between. Each plant weighs as the root of its
+// examples.
 //
 // --check fits nothing: it shows how often the odds by which ends are decided, up to halfway
 // between both, are right on plants from number FROM to before TO, as 541 721. --judge, likewise,
@@ -22,9 +22,8 @@
 #include "core/evaluate/registration/registration.h"
 #include "core/io/formats.h"
 #include "core/pipeline/pipeline.h"
+#include "tests/bench/fit_plants.h"
 #include "tests/bench/fitted_quadratic.h"
-#include "tests/bench/organ_scans.h"
-#include "tests/bench/simulated_scans.h"
 
 #include <algorithm>
 #include <array>
@@ -65,17 +64,8 @@ Eigen::Matrix3Xf pointsOf(const std::shared_ptr<const PointCloud>& cloud,
   return result.apart ? without(*cloud, *result.apart).positions() : cloud->positions();
 }
 
-/// Two plants in three are of any kind, the third shows what its organs are.
-ScannedPlant scannedOne(std::uint64_t number) {
-  if (number % 3 != 0) return scannedPlant(number);
-  constexpr std::uint64_t unseen = 7000; // other plants than those that organs are fitted on
-  OrganScan scan = organScan(unseen + number);
-  return {
-      .name = std::move(scan.kind), .truth = std::move(scan.truth), .cloud = std::move(scan.cloud)};
-}
-
 std::optional<Case> caseOf(std::uint64_t number) try {
-  Case found{.plant = scannedOne(number)};
+  Case found{.plant = plantForFit(number)};
   const Reconstruction result = Pipeline().run(found.plant.cloud, {}, {}, "join");
   found.skeleton = *result.skeleton;
   found.scale = result.scale;

@@ -91,7 +91,7 @@ public:
 
 private:
   /// Needles and the like have ends where points are dense enough to show each of them: where they
-  /// are a little farther apart, there are much fewer ends.
+  /// are a little farther apart, there are far fewer ends.
   void widenPastNeedles(const Progress& progress) {
     for (double done = 0;; done += 0.5 * (1 - done)) {
       if (finest_.scale.scatter > mostScatter * finest_.scale.spacing) return;

@@ -4,6 +4,7 @@
 #include "core/decide/end_odds.h"
 #include "core/doubt/missing_branches.h"
 #include "core/doubt/plant_share.h"
+#include "core/skeleton/branch_end.h"
 #include "core/skeleton/length_along.h"
 
 #include <algorithm>
@@ -104,9 +105,7 @@ private:
     case Kind::add: {
       const Skeleton& part = one.branch->part;
       length = carriedLengths(part)[indexOf(part.roots().front())];
-      const std::vector<NodeId> ids = part.ids();
-      ends = static_cast<double>(
-          std::ranges::count_if(ids, [&](NodeId id) { return part.children(id).empty(); }));
+      ends = static_cast<double>(tipCount(part));
       break;
     }
     case Kind::attach:

@@ -1,6 +1,7 @@
 #include "core/doubt/finding_gain.h"
 
 #include "core/doubt/plant_share.h"
+#include "core/skeleton/branch_end.h"
 #include "core/skeleton/select.h"
 
 #include <algorithm>
@@ -57,9 +58,7 @@ bool isCrowded(const std::vector<Finding>& findings, const std::vector<Finding>&
   constexpr double most = 0.25; // for each end
   const auto twigs = std::ranges::count(findings, Kind::unexplainedPoints, &Finding::kind) +
                      std::ranges::count(others, Kind::unexplainedPoints, &Finding::kind);
-  const auto ends = std::ranges::count_if(skeleton.ids(),
-                                          [&](NodeId id) { return skeleton.children(id).empty(); });
-  return static_cast<double>(twigs) > most * static_cast<double>(ends);
+  return static_cast<double>(twigs) > most * static_cast<double>(tipCount(skeleton));
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "core/pipeline/grow_part.h"
 #include "core/skeleton/axes.h"
 #include "core/skeleton/best_successor.h"
+#include "core/skeleton/branch_end.h"
 #include "core/skeleton/checks_of_scan.h"
 #include "core/skeleton/path_edits.h"
 #include "core/skeleton/select.h"
@@ -155,9 +156,7 @@ std::vector<MissingBranch> missingBranches(const Skeleton& skeleton, const Doubt
     if (end.evidence.length > evidence.length) evidence = end.evidence;
   }
   std::erase_if(missing, [](const MissingBranch& one) { return one.evidence.length == 0; });
-  const std::vector<NodeId> nodes = skeleton.ids();
-  const auto tips = static_cast<double>(
-      std::ranges::count_if(nodes, [&](NodeId id) { return skeleton.children(id).empty(); }));
+  const auto tips = static_cast<double>(tipCount(skeleton));
   for (MissingBranch& one : missing) {
     one.share = static_cast<double>(missing.size()) / tips;
     one.ends = tips;

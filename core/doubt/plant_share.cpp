@@ -1,5 +1,6 @@
 #include "core/doubt/plant_share.h"
 
+#include "core/skeleton/branch_end.h"
 #include "core/skeleton/length_along.h"
 
 #include <algorithm>
@@ -7,10 +8,8 @@
 namespace espalier {
 
 PlantShare::PlantShare(const Skeleton& plant) {
-  const std::vector<NodeId> ids = plant.ids();
-  length_ = lengthOf(plant, ids);
-  ends_ = static_cast<double>(
-      std::ranges::count_if(ids, [&](NodeId id) { return plant.children(id).empty(); }));
+  length_ = lengthOf(plant, plant.ids());
+  ends_ = static_cast<double>(tipCount(plant));
 }
 
 double PlantShare::of(double length, double ends) const {

@@ -6,6 +6,7 @@
 #include "core/graph/turn_upright.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/pipeline_start.h"
+#include "core/skeleton/branch_end.h"
 #include "core/skeleton/length_along.h"
 #include "core/skeleton/point_distances.h"
 
@@ -59,9 +60,8 @@ std::shared_ptr<const PointCloud> around(Eigen::Index center, const PointCloud& 
   return someOf(cloud, points);
 }
 
-/// Points without some of them.
-std::shared_ptr<const PointCloud> without(const PointCloud& cloud,
-                                          const std::vector<bool>& isLeftOut) {
+std::shared_ptr<const PointCloud> keptOf(const PointCloud& cloud,
+                                         const std::vector<bool>& isLeftOut) {
   std::vector<Eigen::Index> left;
   for (std::size_t i = 0; i < isLeftOut.size(); ++i)
     if (!isLeftOut[i]) left.push_back(static_cast<Eigen::Index>(i));
@@ -115,7 +115,7 @@ private:
       ends += endsOf(part, now.part(0, 0.6));
       const std::vector<bool> isOut = thinnedBySpacing(
           part->positions(), {.spacing = widening * finest_.step * spacing_}, now.part(0.6, 0.6));
-      fewer += endsOf(without(*part, isOut), now.part(0.6, 1));
+      fewer += endsOf(keptOf(*part, isOut), now.part(0.6, 1));
     }
     return ends >= fewestEnds &&
            static_cast<double>(ends) > needleLoss * static_cast<double>(fewer);
@@ -180,7 +180,7 @@ private:
   [[nodiscard]] Level levelAt(double step, const Progress& progress) const {
     Level level{.step = step, .isLeftOut = {}, .points = {}, .scale = {}};
     level.isLeftOut = thinnedBySpacing(plant_->positions(), {.spacing = step * spacing_}, progress);
-    level.points = without(*plant_, level.isLeftOut);
+    level.points = keptOf(*plant_, level.isLeftOut);
     level.scale = scaleOf(*level.points, {}, up_, progress);
     return level;
   }
@@ -198,10 +198,7 @@ private:
   [[nodiscard]] std::size_t endsOf(const std::shared_ptr<const PointCloud>& points,
                                    const Progress& progress) const {
     const auto skeleton = skeletonOf(points, progress);
-    if (!skeleton) return 0;
-    const std::vector<NodeId> nodes = skeleton->ids();
-    return static_cast<std::size_t>(
-        std::ranges::count_if(nodes, [&](NodeId id) { return skeleton->children(id).empty(); }));
+    return skeleton ? tipCount(*skeleton) : 0;
   }
 
   /// The share of the length of the skeleton of a level that is probably right; -1: it has none.

@@ -1,5 +1,6 @@
 #include "core/skeleton/branch_end.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace espalier {
@@ -17,6 +18,12 @@ std::optional<BranchEnd> branchEndAt(const Skeleton& skeleton, NodeId tip) {
     }
   }
   return std::nullopt;
+}
+
+std::size_t tipCount(const Skeleton& skeleton) {
+  const std::vector<NodeId> ids = skeleton.ids();
+  return static_cast<std::size_t>(
+      std::ranges::count_if(ids, [&](NodeId id) { return skeleton.children(id).empty(); }));
 }
 
 std::vector<BranchEnd> branchEnds(const Skeleton& skeleton) {

@@ -2,6 +2,7 @@
 
 #include "core/skeleton/skeleton.h"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,9 @@ struct BranchEnd {
   std::vector<NodeId> nodes; // from the tip down, without the foot; never empty
   double length = 0;         // [L] from the foot to the tip
 };
+
+/// Nodes without children. Time O(n).
+[[nodiscard]] std::size_t tipCount(const Skeleton& skeleton);
 
 /// The end with a tip; none if the plant is unbranched from the tip down to its root.
 /// pre: `tip` has no children. Time O(its nodes).

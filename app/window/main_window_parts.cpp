@@ -15,6 +15,7 @@
 #include "app/window/edit/trace_flow.h"
 #include "app/window/edit/unit_flow.h"
 #include "app/window/edit_flow.h"
+#include "app/window/evaluate/consensus_flow.h"
 #include "app/window/evaluate/envelope_flow.h"
 #include "app/window/evaluate/evaluation_flow.h"
 #include "app/window/evaluate/reference_flow.h"
@@ -270,6 +271,8 @@ void MainWindow::makeEvaluation() {
                            [this] { return parts_.get<ProjectFlow>().scanReference(); }});
   parts_.make<VersionsFlow>(
       VersionsFlow::Parts{document_, parts_.get<ProjectFlow>(), reference, *actions_, *this});
+  parts_.make<ConsensusFlow>(
+      ConsensusFlow::Parts{document_, parts_.get<ProjectFlow>(), reference, jobs_, *actions_});
   parts_.make<EvaluationFlow>(EvaluationFlow::Parts{document_, *view_, jobs_, parts_.get<Editing>(),
                                                     reference, parts_.get<IgnoringSteps>(),
                                                     window});

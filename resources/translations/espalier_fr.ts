@@ -3874,6 +3874,61 @@
     </message>
 </context>
 <context>
+    <name>espalier::ConsensusFlow</name>
+    <message>
+        <source>Evaluate</source>
+        <translation>Évaluer</translation>
+    </message>
+    <message>
+        <source>&amp;Keep What Both Agree On</source>
+        <translation>&amp;Garder ce que les deux ont</translation>
+    </message>
+    <message>
+        <source>Consensus: leaves the wood that the plant and its reference both have; the rest is then decided place by place</source>
+        <translation>Consensus&#xa0;: laisse le bois que la plante et sa référence ont toutes deux&#xa0;; le reste se décide ensuite lieu par lieu</translation>
+    </message>
+    <message>
+        <source>there is no skeleton: make one first</source>
+        <translation>il n’y a pas de squelette&#xa0;: faites-en un d’abord</translation>
+    </message>
+    <message>
+        <source>load what another expert has of this plant as the reference first (File &gt; Reference &gt; Load Reference)</source>
+        <translation>chargez d’abord comme référence ce qu’un autre expert a de cette plante (Fichier &gt; Référence &gt; Charger la référence)</translation>
+    </message>
+    <message>
+        <source>what you have is kept as a version, and only a project keeps versions: save the plant as one first</source>
+        <translation>ce que vous avez est gardé comme version, et seul un projet garde des versions&#xa0;: enregistrez d’abord la plante comme projet</translation>
+    </message>
+    <message>
+        <source>Finding what both agree on</source>
+        <translation>Recherche de ce que les deux ont</translation>
+    </message>
+    <message>
+        <source>the plant was edited meanwhile: choose Keep What Both Agree On again</source>
+        <translation>la plante a été modifiée entre-temps&#xa0;: choisissez de nouveau Garder ce que les deux ont</translation>
+    </message>
+    <message>
+        <source>%1 has none of the wood of this plant where it lies: show the evaluation (F5), which lays it on the plant, or check that both are of one scan</source>
+        <translation>%1 n’a rien du bois de cette plante là où il se trouve&#xa0;: affichez l’évaluation (F5), qui le pose sur la plante, ou vérifiez que les deux sont d’un même scan</translation>
+    </message>
+    <message>
+        <source>Both agree: there is no place to decide</source>
+        <translation>Les deux s’accordent&#xa0;: il n’y a rien à décider</translation>
+    </message>
+    <message>
+        <source>Before agreement with %1</source>
+        <translation>Avant l’accord avec %1</translation>
+    </message>
+    <message>
+        <source>Keep What Both Agree On</source>
+        <translation>Garder ce que les deux ont</translation>
+    </message>
+    <message>
+        <source>What both agree on is kept: %1 % of this plant, %2 % of %3. F3 leads to the rest of %3; for yours, compare with the version “%4”</source>
+        <translation>Ce que les deux ont est gardé&#xa0;: %1&#xa0;% de cette plante, %2&#xa0;% de %3. F3 mène au reste de %3&#xa0;; pour le vôtre, comparez avec la version «&#xa0;%4&#xa0;»</translation>
+    </message>
+</context>
+<context>
     <name>espalier::CoverageBar</name>
     <message>
         <source>Review coverage</source>

@@ -3,7 +3,9 @@
 #include "core/evaluate/differences/near_edges.h"
 #include "core/evaluate/match/comparable.h"
 #include "core/skeleton/edge_index.h"
+#include "core/skeleton/edits.h"
 #include "core/skeleton/length_along.h"
+#include "core/skeleton/tree_edits.h"
 
 #include <algorithm>
 #include <cassert>
@@ -163,7 +165,8 @@ std::vector<Disagreement> compared(const Skeleton& first, const Skeleton& other,
   return places;
 }
 
-Skeleton agreedWood(const Skeleton& first, const Agreement& agreement) {
+/// Fills in `agreed` and `nodes`.
+void keepWood(Consensus& consensus, const Skeleton& first, const Agreement& agreement) {
   const std::vector<NodeId> ids = first.ids();
   std::vector<bool> isNeeded(first.idEnd(), false); // a node at an end of an edge that is there
   for (const NodeId id : ids) {
@@ -171,7 +174,6 @@ Skeleton agreedWood(const Skeleton& first, const Agreement& agreement) {
     isNeeded[indexOf(id)] = true;
     if (agreement.isAttached[indexOf(id)]) isNeeded[indexOf(*first[id].parent)] = true;
   }
-  Skeleton agreed;
   std::vector<std::optional<NodeId>> copies(first.idEnd());
   for (const NodeId id : ids) { // parents before their children
     if (!isNeeded[indexOf(id)]) continue;
@@ -179,9 +181,9 @@ Skeleton agreedWood(const Skeleton& first, const Agreement& agreement) {
     Node copy{.position = node.position, .radius = node.radius, .edge = node.edge};
     if (node.parent && agreement.isThere[indexOf(id)] && agreement.isAttached[indexOf(id)])
       copy.parent = copies[indexOf(*node.parent)];
-    copies[indexOf(id)] = agreed.add(copy);
+    copies[indexOf(id)] = consensus.agreed.add(copy);
+    consensus.nodes.push_back(id);
   }
-  return agreed;
 }
 
 /// Of the length of a skeleton, that which is near another; 0 where that has no length.
@@ -217,10 +219,21 @@ Consensus consensusOf(std::span<const Skeleton> plants, double tolerance,
       consensus.places.push_back(place);
     }
   }
-  consensus.agreed = agreedWood(first, agreement);
+  keepWood(consensus, first, agreement);
   for (const Skeleton& plant : plants)
     consensus.shares.push_back(shareNear(plant, consensus.agreed, tolerance, next()));
   return consensus;
+}
+
+void keepAgreed(SkeletonEditor& editor, const Consensus& consensus) {
+  std::vector<bool> isKept(editor.skeleton().idEnd(), false);
+  for (const NodeId id : consensus.agreed.ids()) {
+    const NodeId node = consensus.nodes[indexOf(id)];
+    isKept[indexOf(node)] = true;
+    if (!consensus.agreed[id].parent && editor.skeleton()[node].parent) cutOff(editor, node);
+  }
+  for (const NodeId id : editor.skeleton().ids())
+    if (!isKept[indexOf(id)] && editor.skeleton().contains(id)) removeSubtree(editor, id);
 }
 
 } // namespace espalier

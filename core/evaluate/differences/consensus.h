@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/evaluate/differences/differences.h"
+#include "core/skeleton/skeleton_delta.h"
 
 #include <cstddef>
 #include <span>
@@ -22,6 +23,7 @@ struct Consensus {
   /// positions, radii and types alone. Wood that is attached elsewhere in one of them, or that what
   /// is not agreed on would bear, is a tree of its own.
   Skeleton agreed;
+  std::vector<NodeId> nodes;        // of the first, by the ids of those of `agreed`
   std::vector<Disagreement> places; // by skeleton, of each the longest first
   std::vector<double> shares;       // of the length of each skeleton, that near all of the agreed
 };
@@ -39,5 +41,10 @@ struct Consensus {
 /// Deterministic. Time that of differences(), twice for each but the first and once more for each.
 [[nodiscard]] Consensus consensusOf(std::span<const Skeleton> plants, double tolerance,
                                     const Progress& progress = {});
+
+/// Leaves of the first skeleton of a consensus what is agreed on, with all that it says of it, as
+/// an edit; see Consensus::agreed.
+/// pre: the editor's skeleton is as it was then
+void keepAgreed(SkeletonEditor& editor, const Consensus& consensus);
 
 } // namespace espalier

@@ -44,6 +44,26 @@ TEST(Consensus, LeavesOutWhatOneOfThemLacks) {
   }
 }
 
+/// The first skeleton of a consensus, once what is agreed on is kept of it.
+Skeleton keptOf(Skeleton plant, const Consensus& consensus) {
+  SkeletonEditor editor(plant);
+  keepAgreed(editor, consensus);
+  static_cast<void>(editor.commit());
+  return plant;
+}
+
+TEST(Consensus, IsKeptOfAPlantWithWhatThatSaysOfIt) {
+  const auto [plant, trunk, branch] = test::trunkAndBranch();
+  const Skeleton bare = test::edited(
+      plant, [first = branch[0]](SkeletonEditor& editor) { removeSubtree(editor, first); });
+  Skeleton marked = plant;
+  marked.setReview(trunk[1], {.state = ReviewState::reviewed, .reviewer = "Anna"});
+  Skeleton kept = keptOf(marked, consensusOfAll({marked, bare}));
+  EXPECT_EQ(kept[trunk[1]].review.reviewer, "Anna");
+  kept.setReview(trunk[1], {});
+  EXPECT_EQ(kept, bare);
+}
+
 TEST(Consensus, MakesWhatIsAttachedElsewhereATreeOfItsOwn) {
   // The branch runs beside the trunk, so that it can be attached to either end of it.
   Skeleton low;
@@ -72,6 +92,7 @@ TEST(Consensus, MakesWhatIsAttachedElsewhereATreeOfItsOwn) {
   EXPECT_EQ(found.agreed.roots().size(), 2U);
   EXPECT_NEAR(totalLength(found.agreed), 10 + 6, 1e-9)
       << "trunk and shoot, without what leads there";
+  EXPECT_EQ(test::canonical(keptOf(low, found)), test::canonical(found.agreed));
 }
 
 /// A trunk with three twigs that leave it at one node, along three lines or one behind the other.

@@ -168,8 +168,8 @@ void addAnswer(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--order", flags->order,
-                   "What is asked first: what puts most right, any, or "
-                   "as a review walks along the plant")
+                   "What is asked first: gain, what puts most right; review, as "
+                   "a review walks along the plant; random")
       ->type_name("NAME")
       ->check(oneOf(orderNames()))
       ->capture_default_str();

@@ -178,9 +178,11 @@ void keepWood(Consensus& consensus, const Skeleton& first, const Agreement& agre
   for (const NodeId id : ids) { // parents before their children
     if (!isNeeded[indexOf(id)]) continue;
     const Node& node = first[id];
-    Node copy{.position = node.position, .radius = node.radius, .edge = node.edge};
-    if (node.parent && agreement.isThere[indexOf(id)] && agreement.isAttached[indexOf(id)])
+    Node copy{.position = node.position, .radius = node.radius};
+    if (node.parent && agreement.isThere[indexOf(id)] && agreement.isAttached[indexOf(id)]) {
       copy.parent = copies[indexOf(*node.parent)];
+      copy.edge = node.edge;
+    }
     copies[indexOf(id)] = consensus.agreed.add(copy);
     consensus.nodes.push_back(id);
   }

@@ -8,12 +8,10 @@
 #include "core/base/counted.h"
 #include "core/base/text.h"
 #include "core/evaluate/match/comparable.h"
-#include "core/evaluate/match/tolerance_curve.h"
 #include "core/skeleton/bounds.h"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -69,22 +67,19 @@ void requireDifferentFiles(const std::vector<std::string>& files) {
 constexpr const char* checkFrames =
     ": check that all are in one frame and unit, or give a larger --distance";
 
-/// Wood of one plant in another unit lies within the distance of the larger, all of it.
 void requireOneUnit(const std::vector<std::string>& files, const std::vector<Skeleton>& plants) {
-  constexpr double most = 9; // times as large: the units of lengths are ten times apart at least
-  const auto extent = [&](std::size_t i) { return bounds(plants[i]).diagonal().norm(); };
-  for (std::size_t i = 1; i < plants.size(); ++i)
-    if (extent(i) > most * extent(0) || extent(0) > most * extent(i))
-      throw Error(files[i] + ": is " + (extent(i) > extent(0) ? "far larger" : "far smaller") +
-                  " than " + files[0] + checkFrames);
+  const auto other = inOtherUnit(plants);
+  if (!other) return;
+  const bool isLarger =
+      bounds(plants[*other]).diagonal().norm() > bounds(plants[0]).diagonal().norm();
+  throw Error(files[*other] + ": is " + (isLarger ? "far larger" : "far smaller") + " than " +
+              files[0] + checkFrames);
 }
 
 void requireShares(const std::vector<std::string>& files, const Consensus& consensus) {
-  constexpr double least = 0.01; // of the length
-  const auto found = std::ranges::find_if(consensus.shares, [](double s) { return s < least; });
-  if (found != consensus.shares.end())
-    throw Error(files[static_cast<std::size_t>(found - consensus.shares.begin())] +
-                ": the others have none of its wood within the distance" + checkFrames);
+  if (const auto stranger = withoutAgreement(consensus))
+    throw Error(files[*stranger] + ": the others have none of its wood within the distance" +
+                checkFrames);
 }
 
 void writeConsensus(const ConsensusFlags& flags) {
@@ -101,10 +96,7 @@ void writeConsensus(const ConsensusFlags& flags) {
     requireComparable(plants.back(), file);
   }
   requireOneUnit(flags.plants, plants);
-  double tolerance = flags.distance;
-  if (tolerance == 0)
-    for (const Skeleton& plant : plants)
-      tolerance = std::max(tolerance, usualTolerance(plant));
+  const double tolerance = flags.distance > 0 ? flags.distance : usualDistance(plants);
   const Consensus consensus = consensusOf(plants, tolerance, terminal.progress());
   terminal.check();
   terminal.clear();

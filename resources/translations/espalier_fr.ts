@@ -3892,8 +3892,8 @@
         <translation>il n’y a pas de squelette&#xa0;: faites-en un d’abord</translation>
     </message>
     <message>
-        <source>load what another expert has of this plant as the reference first (File &gt; Reference &gt; Load Reference)</source>
-        <translation>chargez d’abord comme référence ce qu’un autre expert a de cette plante (Fichier &gt; Référence &gt; Charger la référence)</translation>
+        <source>load what another expert has of this plant as the reference first (File &gt; Load Reference)</source>
+        <translation>chargez d’abord comme référence ce qu’un autre expert a de cette plante (Fichier &gt; Charger la référence)</translation>
     </message>
     <message>
         <source>what you have is kept as a version, and only a project keeps versions: save the plant as one first</source>
@@ -3926,6 +3926,10 @@
     <message>
         <source>What both agree on is kept: %1 % of this plant, %2 % of %3. F3 leads to the rest of %3; for yours, compare with the version “%4”</source>
         <translation>Ce que les deux ont est gardé&#xa0;: %1&#xa0;% de cette plante, %2&#xa0;% de %3. F3 mène au reste de %3&#xa0;; pour le vôtre, comparez avec la version «&#xa0;%4&#xa0;»</translation>
+    </message>
+    <message>
+        <source>%1 is far larger or smaller than this plant: both have to be in one unit</source>
+        <translation>%1 est bien plus grand ou plus petit que cette plante&#xa0;: les deux doivent être dans une même unité</translation>
     </message>
 </context>
 <context>

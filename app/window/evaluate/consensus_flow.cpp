@@ -4,7 +4,6 @@
 #include "app/window/files/project_flow.h"
 #include "app/window/frame/action_set.h"
 #include "core/base/error.h"
-#include "core/evaluate/match/tolerance_curve.h"
 #include "ui/document/plant_document.h"
 #include "ui/jobs/job_slot.h"
 
@@ -36,8 +35,8 @@ void ConsensusFlow::find() {
   if (document.skeleton().isEmpty())
     throw Error(tr("there is no skeleton: make one first").toStdString());
   if (!parts_.reference.skeleton() || parts_.reference.isVersion())
-    throw Error(tr("load what another expert has of this plant as the reference first "
-                   "(File > Reference > Load Reference)")
+    throw Error(tr("load what another expert has of this plant as the reference first (File > Load "
+                   "Reference)")
                     .toStdString());
   if (!parts_.projects.isNamed())
     throw Error(tr("what you have is kept as a version, and only a project keeps versions: save "
@@ -46,10 +45,12 @@ void ConsensusFlow::find() {
   parts_.jobs.requireIdle();
   const auto plants = std::make_shared<const std::array<Skeleton, 2>>(
       std::array{document.skeleton(), parts_.reference.laid()});
+  if (inOtherUnit(*plants))
+    throw Error(tr("%1 is far larger or smaller than this plant: both have to be in one unit")
+                    .arg(parts_.reference.name())
+                    .toStdString());
   const auto agree = [plants](const Progress& progress) {
-    const double tolerance =
-        std::max(usualTolerance(plants->front()), usualTolerance(plants->back()));
-    return consensusOf(*plants, tolerance, progress);
+    return consensusOf(*plants, usualDistance(*plants), progress);
   };
   parts_.jobs.start(tr("Finding what both agree on"), agree,
                     [this, plants, other = parts_.reference.name()](const Consensus& consensus) {
@@ -68,8 +69,7 @@ void ConsensusFlow::find() {
 }
 
 void ConsensusFlow::keep(const Consensus& consensus, const QString& other) {
-  constexpr double least = 0.01; // of the length: else they are of two plants
-  if (std::ranges::min(consensus.shares) < least)
+  if (withoutAgreement(consensus))
     throw Error(tr("%1 has none of the wood of this plant where it lies: show the evaluation (F5), "
                    "which lays it on the plant, or check that both are of one scan")
                     .arg(other)

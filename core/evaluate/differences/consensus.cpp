@@ -2,6 +2,8 @@
 
 #include "core/evaluate/differences/near_edges.h"
 #include "core/evaluate/match/comparable.h"
+#include "core/evaluate/match/tolerance_curve.h"
+#include "core/skeleton/bounds.h"
 #include "core/skeleton/edge_index.h"
 #include "core/skeleton/edits.h"
 #include "core/skeleton/length_along.h"
@@ -225,6 +227,28 @@ Consensus consensusOf(std::span<const Skeleton> plants, double tolerance,
   for (const Skeleton& plant : plants)
     consensus.shares.push_back(shareNear(plant, consensus.agreed, tolerance, next()));
   return consensus;
+}
+
+double usualDistance(std::span<const Skeleton> plants) {
+  double distance = 0;
+  for (const Skeleton& plant : plants)
+    distance = std::max(distance, usualTolerance(plant));
+  return distance;
+}
+
+std::optional<std::size_t> inOtherUnit(std::span<const Skeleton> plants) {
+  constexpr double most = 9; // times as large
+  const auto extent = [&](std::size_t i) { return bounds(plants[i]).diagonal().norm(); };
+  for (std::size_t i = 1; i < plants.size(); ++i)
+    if (extent(i) > most * extent(0) || extent(0) > most * extent(i)) return i;
+  return std::nullopt;
+}
+
+std::optional<std::size_t> withoutAgreement(const Consensus& consensus) {
+  constexpr double least = 0.01; // of the length
+  const auto found = std::ranges::find_if(consensus.shares, [](double s) { return s < least; });
+  if (found == consensus.shares.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - consensus.shares.begin());
 }
 
 void keepAgreed(SkeletonEditor& editor, const Consensus& consensus) {

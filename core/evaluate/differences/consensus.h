@@ -4,6 +4,7 @@
 #include "core/skeleton/skeleton_delta.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,6 +42,19 @@ struct Consensus {
 /// Deterministic. Time that of differences(), twice for each but the first and once more for each.
 [[nodiscard]] Consensus consensusOf(std::span<const Skeleton> plants, double tolerance,
                                     const Progress& progress = {});
+
+/// How far apart wood counts as the same unless another distance is given [L]: usualTolerance() of
+/// the skeleton whose edges are longest.
+[[nodiscard]] double usualDistance(std::span<const Skeleton> plants);
+
+/// The first that is over nine times as large as the first of all, or as small: units of lengths
+/// are ten times apart at least, and the wood of one lies near that of a far larger one wherever it
+/// is. None: all are alike.
+[[nodiscard]] std::optional<std::size_t> inOtherUnit(std::span<const Skeleton> plants);
+
+/// The first skeleton of whose length not a hundredth is agreed on: it is of another plant, or
+/// lies elsewhere. None: of all more is.
+[[nodiscard]] std::optional<std::size_t> withoutAgreement(const Consensus& consensus);
 
 /// Leaves of the first skeleton of a consensus what is agreed on, with all that it says of it, as
 /// an edit; see Consensus::agreed.

@@ -30,8 +30,9 @@ struct ConsensusWindowTest : test::EvaluationWindowTest {
 TEST_F(ConsensusWindowTest, NeedsAReferenceAndAProject) {
   open({write("plant.mtg", plant())});
   expectNoDialog([this] { action("keep_agreed").trigger(); });
-  EXPECT_EQ(message(), "Load what another expert has of this plant as the reference first (File > "
-                       "Reference > Load Reference)");
+  EXPECT_EQ(
+      message(),
+      "Load what another expert has of this plant as the reference first (File > Load Reference)");
   load(write("expert.mtg", plant()));
   expectNoDialog([this] { action("keep_agreed").trigger(); });
   EXPECT_EQ(message(), "What you have is kept as a version, and only a project keeps versions: "
@@ -82,6 +83,20 @@ TEST_F(ConsensusWindowTest, RefusesAnotherPlant) {
             "far.mtg has none of the wood of this plant where it lies: show the evaluation (F5), "
             "which lays it on the plant, or check that both are of one scan");
   EXPECT_EQ(document().skeleton().size(), plant().size());
+}
+
+TEST_F(ConsensusWindowTest, RefusesAnotherUnit) {
+  open({write("plant.mtg", plant())});
+  Skeleton large = plant();
+  for (const NodeId id : large.ids())
+    large.setPosition(id, 1000 * large[id].position);
+  answer(chooseFile(write("mm.mtg", large)), [this] { action("load_reference").trigger(); });
+  waitForJob();
+  saveProject("plant.espalier");
+  action("keep_agreed").trigger();
+  EXPECT_EQ(message(), "mm.mtg is far larger or smaller than this plant: both have to be in one "
+                       "unit");
+  EXPECT_EQ(document().undoStack().count(), 0);
 }
 
 } // namespace
